@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// The cavity: a groove between two plane mirrors of unit width, known by its aperture alone.
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "conventions.hpp"
+
+namespace vcavity {
+
+/// A symmetric V-shaped groove, infinitely long. The width of the panels plays no part in geometrical optics.
+template <class Real>
+class Cavity {
+ public:
+  /// @param aperture the angle between the panels in (0, π]; π is a flat surface
+  /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
+  explicit Cavity(const Real& aperture) : aperture_(aperture) {
+    if (!(aperture > Real(0) && aperture <= pi<Real>())) {
+      std::ostringstream message;
+      message << "the aperture of a groove must lie in (0, π] radians, not " << aperture;
+      throw std::invalid_argument(message.str());
+    }
+    using std::cos;
+    using std::sin;
+    sin_half_ = sin(aperture / Real(2));
+    // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
+    cos_half_ = cos(aperture / Real(2));
+    if (cos_half_ < Real(0)) cos_half_ = Real(0);
+  }
+
+  /// The angle α between the panels.
+  const Real& aperture() const { return aperture_; }
+
+  /// sin(α/2), half the width of the opening.
+  const Real& sin_half() const { return sin_half_; }
+
+  /// cos(α/2), the depth of the groove.
+  const Real& cos_half() const { return cos_half_; }
+
+  /// sin α
+  Real sin_aperture() const { return Real(2) * sin_half_ * cos_half_; }
+
+  /// 1 − cos α, with all its digits when α is small
+  Real versine_aperture() const { return Real(2) * sin_half_ * sin_half_; }
+
+  /// The normal of a panel, pointing into the groove (Eq. 5).
+  Vec3<Real> normal(Panel panel) const {
+    return {Real(0), panel == Panel::one ? cos_half_ : Real(-cos_half_), sin_half_};
+  }
+
+  /// The unit vector along a panel, from the apex to the rim.
+  Vec3<Real> tangent(Panel panel) const {
+    return {Real(0), panel == Panel::one ? Real(-sin_half_) : sin_half_, cos_half_};
+  }
+
+  /// The largest number of bounces of any ray, ⌈π/α⌉. An aperture within rounding (4 ε) of π/k counts as π/k:
+  /// the rays that would bounce once more are a fraction of order ε of all.
+  int max_bounces() const {
+    using std::ceil;
+    const Real count =
+        ceil(pi<Real>() / aperture_ * (Real(1) - Real(4) * std::numeric_limits<Real>::epsilon()));
+    constexpr int most = std::numeric_limits<int>::max();
+    if (!(count < Real(most))) return most;
+    return count < Real(1) ? 1 : static_cast<int>(count);
+  }
+
+ private:
+  Real aperture_;
+  Real sin_half_;
+  Real cos_half_;
+};
+
+}  // namespace vcavity

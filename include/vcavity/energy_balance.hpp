@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Reflected and absorbed light side by side, so that the absorptance 1 − R keeps its digits when R is close
+/// to 1.
+///
+/// After a bounce that absorbs A₁ of the light and reflects R₁, a second one absorbs R₁ A₂ more: sums of
+/// positive terms, never a difference of rounded numbers.
+
+#include <utility>
+
+#include "value.hpp"
+
+namespace vcavity {
+
+/// What became of unit flux: `reflected + absorbed` = 1 up to rounding, or less where bounces were left out.
+template <class Value>
+struct EnergyBalance {
+  using value_type = scalar_t<Value>;
+
+  Value reflected;
+  Value absorbed;
+
+  EnergyBalance() = default;
+  EnergyBalance(const Value& reflected_part, const Value& absorbed_part)
+      : reflected(reflected_part), absorbed(absorbed_part) {}
+
+  /// 1: all reflected. 0: no light at all.
+  explicit EnergyBalance(int light) : reflected(light), absorbed(0) {}
+
+  friend EnergyBalance operator*(const EnergyBalance& first, const EnergyBalance& second) {
+    return {first.reflected * second.reflected, first.absorbed + first.reflected * second.absorbed};
+  }
+  friend EnergyBalance operator+(const EnergyBalance& a, const EnergyBalance& b) {
+    return {a.reflected + b.reflected, a.absorbed + b.absorbed};
+  }
+  friend EnergyBalance operator*(const value_type& s, const EnergyBalance& a) {
+    return {s * a.reflected, s * a.absorbed};
+  }
+  friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }
+};
+
+/// A facet that also knows its absorptance, as `Conductor` and `Dielectric` do.
+template <class Facet, class Real>
+concept AbsorbingFacet = FacetReflectance<Facet, Real> &&
+    requires(const Facet& facet, const Real& cos_theta_i) {
+  { facet.absorptance(cos_theta_i) } -> std::convertible_to<value_t<Facet, Real>>;
+};
+
+/// Facet reflectance that returns the energy balance of each bounce.
+template <class Facet>
+class EnergyBalanced {
+ public:
+  explicit EnergyBalanced(Facet facet) : facet_(std::move(facet)) {}
+
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Real>
+  requires AbsorbingFacet<Facet, Real> EnergyBalance<value_t<Facet, Real>>
+  operator()(const Real& cos_theta_i) const { return {facet_(cos_theta_i), facet_.absorptance(cos_theta_i)}; }
+
+ private:
+  Facet facet_;
+};
+
+}  // namespace vcavity

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Fresnel reflectance of a plane interface, for real and complex refractive indices.
+///
+/// Method. With c the cosine of the angle of incidence, s² = 1 − c², the contrast m = (n + ik)² − 1 and
+/// w = √(m + c²) = √((n + ik)² − s²) (the normal component of the refracted wave vector, Re w ≥ 0, Im w ≥ 0),
+/// the textbook amplitudes (Born & Wolf, "Principles of Optics", 7th ed., §1.5.2 and §14.2) are, exactly,
+///
+///     r_s = (c − w)/(c + w)                        = −m/(c + w)²
+///     r_p = r_s · (c w − s²)/(c w + s²)
+///     1 − |r_s|² = 4 c Re w/|c + w|²
+///     1 − |r_p|² = (1 − |r_s|²) · (|w|² + s²)/|c w + s²|²
+///
+/// The right-hand sides subtract nothing that nearly cancels, except in r_p at Brewster's angle, where it
+/// vanishes. So the reflectance keeps its digits as n → 1 (m is then formed from n − 1), the absorptance as R
+/// → 1, and k → 0 is the dielectric, total internal reflection included.
+///
+/// The sign of r_p is the one that makes r_p = r_s at normal incidence.
+///
+/// Range: n ≥ 0, k ≥ 0, not both 0, |n + ik| below 1e9 for float (so that fourth powers do not overflow).
+/// Not for an absorbing incident medium, for gain (k < 0) or for magnetic materials.
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "complex.hpp"
+#include "value.hpp"
+
+namespace vcavity {
+
+/// Field amplitudes reflected from an interface, for unit incident amplitude.
+template <class Value>
+struct Amplitudes {
+  Complex<Value> r_s;  ///< electric field normal to the plane of incidence
+  Complex<Value> r_p;  ///< electric field in the plane of incidence; equals r_s at normal incidence
+};
+
+namespace detail {
+
+/// Throws std::invalid_argument unless every component of `a` is finite and at least 0.
+template <class Value>
+void require_finite_nonnegative(const Value& a, const char* name) {
+  using Real = scalar_t<Value>;
+  for_each_component(a, [name](const Real& x) {
+    if (!(x >= Real(0) && x <= std::numeric_limits<Real>::max())) {
+      std::ostringstream message;
+      message << name << " must be finite and not negative, not " << x;
+      throw std::invalid_argument(message.str());
+    }
+  });
+}
+
+/// A refracted wave at an interface of contrast m, with the combinations that all formulas share.
+template <class Value>
+struct RefractedWave {
+  using Real = scalar_t<Value>;
+
+  /// @param contrast m = (n + ik)² − 1, Im m ≥ 0
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  RefractedWave(const Complex<Value>& contrast, const Real& cos_theta_i)
+      : c(cos_theta_i), s2(at_least(Real((Real(1) - cos_theta_i) * (Real(1) + cos_theta_i)), Real(0))) {
+    using std::sqrt;
+    const Complex<Value> w2{contrast.re + c * c, contrast.im};
+    w_norm = sqrt(norm(w2));
+    // The larger part of w comes from a sum, the smaller one from the product 2 Re w Im w = Im w²: no
+    // cancellation.
+    const Value larger = sqrt(Real(0.5) * (w_norm + select_nonnegative(w2.re, w2.re, Value(-w2.re))));
+    const Value smaller = Real(0.5) * w2.im / at_least(larger, std::numeric_limits<Real>::min());
+    w.re = select_nonnegative(w2.re, larger, smaller);
+    w.im = select_nonnegative(w2.re, smaller, larger);
+  }
+
+  /// |c + w|²
+  Value sum_norm() const {
+    return at_least(Value(c * c + Real(2) * (c * w.re) + w_norm), std::numeric_limits<Real>::min());
+  }
+
+  /// |c w + s²|²
+  Value parallel_sum_norm() const { return norm(Complex<Value>{c * w.re + s2, c * w.im}); }
+
+  /// |c w − s²|²
+  Value parallel_difference_norm() const { return norm(Complex<Value>{c * w.re - s2, c * w.im}); }
+
+  Value c;           ///< cosine of the angle of incidence
+  Value s2;          ///< its squared sine
+  Complex<Value> w;  ///< normal component of the refracted wave vector
+  Value w_norm;      ///< |w|²
+};
+
+template <class Value>
+Amplitudes<Value> fresnel_amplitudes(const Complex<Value>& contrast, const scalar_t<Value>& cos_theta_i) {
+  const RefractedWave<Value> wave(contrast, cos_theta_i);
+  const Complex<Value> sum{wave.c + wave.w.re, wave.w.im};
+  const Complex<Value> cw = wave.c * wave.w;
+  const Complex<Value> s2{wave.s2, Value(0)};
+  const Complex<Value> r_s = Complex<Value>{-contrast.re, -contrast.im} / (sum * sum);
+  return {r_s, r_s * ((cw - s2) / (cw + s2))};
+}
+
+/// √(−m) where that is a cosine, else 0.
+template <class Value>
+Value critical_cosine(const Value& contrast) {
+  using Real = scalar_t<Value>;
+  using std::sqrt;
+  const Value c2 = at_least(Value(-contrast), Real(0));
+  return select_nonnegative(Value(Value(1) - c2), sqrt(c2), Value(0));
+}
+
+}  // namespace detail
+
+/// Interface to an absorbing medium, such as a metal, of complex index n + ik; valid for k = 0 as well.
+/// @tparam Value a number, or a `glm::vec` or `Pack` with one index per colour or wavelength
+template <class Value>
+class Conductor {
+ public:
+  using Real = scalar_t<Value>;
+
+  /// @param n real part of the refractive index relative to the incident medium, ≥ 0
+  /// @param k extinction coefficient, ≥ 0
+  /// @throws std::invalid_argument when a component is negative, infinite or not a number
+  Conductor(const Value& n, const Value& k) : Conductor(from_contrast(n - Value(1), k)) {}
+
+  /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
+  static Conductor from_contrast(const Value& n_minus_1, const Value& k) {
+    const Value n = Value(1) + n_minus_1;
+    detail::require_finite_nonnegative(n, "the refractive index n");
+    detail::require_finite_nonnegative(k, "the extinction coefficient k");
+    return Conductor(Complex<Value>{n_minus_1 * (Value(2) + n_minus_1) - k * k, Real(2) * (n * k)});
+  }
+
+  /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Value operator()(const Real& cos_theta_i) const {
+    const detail::RefractedWave<Value> wave(contrast_, cos_theta_i);
+    const Value r_s = contrast_modulus_ / wave.sum_norm();
+    const Value ratio = wave.parallel_difference_norm() / wave.parallel_sum_norm();
+    return at_most(Value(Real(0.5) * (r_s * r_s * (Value(1) + ratio))), Real(1));
+  }
+
+  /// Absorptance of unpolarised light, 1 − reflectance, to full relative precision; for k = 0 the
+  /// transmittance into the medium.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Value absorptance(const Real& cos_theta_i) const {
+    const detail::RefractedWave<Value> wave(contrast_, cos_theta_i);
+    const Value a_s = Real(4) * (wave.c * wave.w.re) / wave.sum_norm();
+    const Value ratio = (wave.w_norm + wave.s2) / wave.parallel_sum_norm();
+    return at_most(Value(Real(0.5) * (a_s * (Value(1) + ratio))), Real(1));
+  }
+
+  /// Amplitudes r_s and r_p.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
+    return detail::fresnel_amplitudes(contrast_, cos_theta_i);
+  }
+
+  /// The cosine at which the reflectance varies fastest when n < 1 and k is small (the critical angle if k =
+  /// 0); 0 if there is none in (0, 1].
+  Value critical_cosine() const { return detail::critical_cosine(contrast_.re); }
+
+  /// (n + ik)² − 1
+  const Complex<Value>& contrast() const { return contrast_; }
+
+ private:
+  explicit Conductor(const Complex<Value>& contrast) : contrast_(contrast) {
+    using std::sqrt;
+    contrast_modulus_ = sqrt(norm(contrast));
+  }
+
+  Complex<Value> contrast_;
+  Value contrast_modulus_;
+};
+
+/// Interface to a transparent medium of real index n. Below n = 1 it reflects totally at grazing angles.
+/// @tparam Value a number, or a `glm::vec` or `Pack` with one index per colour or wavelength
+template <class Value>
+class Dielectric {
+ public:
+  using Real = scalar_t<Value>;
+
+  /// @param n refractive index relative to the incident medium, > 0
+  /// @throws std::invalid_argument when a component is negative, infinite or not a number
+  explicit Dielectric(const Value& n) : Dielectric(from_contrast(n - Value(1))) {}
+
+  /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
+  static Dielectric from_contrast(const Value& n_minus_1) {
+    detail::require_finite_nonnegative(Value(Value(1) + n_minus_1), "the refractive index n");
+    return Dielectric(n_minus_1 * (Value(2) + n_minus_1), Contrast{});
+  }
+
+  /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Value operator()(const Real& cos_theta_i) const {
+    const Wave wave(contrast_, cos_theta_i);
+    const Value r_s = contrast_ / wave.sum_norm();
+    const Value ratio = (wave.cw - wave.s2) / (wave.cw + wave.s2);
+    const Value reflectance = Real(0.5) * (r_s * r_s * (Value(1) + ratio * ratio));
+    return select_nonnegative(wave.w2, at_most(reflectance, Real(1)), Value(1));
+  }
+
+  /// The part of unpolarised light that is refracted into the medium, 1 − reflectance, to full relative
+  /// precision.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Value absorptance(const Real& cos_theta_i) const {
+    const Wave wave(contrast_, cos_theta_i);
+    const Value parallel_sum = wave.cw + wave.s2;
+    const Value t_s = Real(4) * wave.cw / wave.sum_norm();
+    const Value ratio = (wave.w * wave.w + wave.s2) / (parallel_sum * parallel_sum);
+    const Value transmittance = Real(0.5) * (t_s * (Value(1) + ratio));
+    return select_nonnegative(wave.w2, at_most(transmittance, Real(1)), Value(0));
+  }
+
+  /// Amplitudes r_s and r_p; complex in total reflection.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
+    return detail::fresnel_amplitudes(Complex<Value>{contrast_, Value(0)}, cos_theta_i);
+  }
+
+  /// Cosine of the critical angle, below which reflection is total; 0 for n ≥ 1.
+  Value critical_cosine() const { return detail::critical_cosine(contrast_); }
+
+  /// n² − 1
+  const Value& contrast() const { return contrast_; }
+
+ private:
+  struct Contrast {};
+  struct Wave {
+    Wave(const Value& contrast, const Real& cos_theta_i)
+        : c(cos_theta_i),
+          s2(at_least(Real((Real(1) - cos_theta_i) * (Real(1) + cos_theta_i)), Real(0))),
+          w2(contrast + c * c) {
+      using std::sqrt;
+      w = sqrt(at_least(w2, Real(0)));
+      cw = c * w;
+    }
+    /// (c + w)²
+    Value sum_norm() const { return at_least(Value((c + w) * (c + w)), std::numeric_limits<Real>::min()); }
+    Value c, s2, w2, w, cw;
+  };
+
+  Dielectric(const Value& contrast, Contrast) : contrast_(contrast) {}
+
+  Value contrast_;
+};
+
+}  // namespace vcavity

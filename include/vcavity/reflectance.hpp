@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Directional reflectance and absorptance of a grooved surface, exact in the position on the opening.
+///
+/// The directional-hemispherical reflectance for collimated light from a direction is, by Helmholtz
+/// reciprocity, also the hemispherical-directional reflectance seen from that direction under diffuse light;
+/// one function serves both.
+
+#include "energy_balance.hpp"
+#include "lobes.hpp"
+
+namespace vcavity {
+
+/// Directional reflectance R(θ, φ), Eq. 20 without its quadrature.
+///
+/// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
+/// @param facet facet reflectance, a function of the cosine of the angle of incidence
+/// @param most_bounces light that needs more bounces is left out
+/// @return a value of the facet's type
+template <class Real, class Facet>
+requires FacetReflectance<Facet, Real> value_t<Facet, Real> directional_reflectance(
+    const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces = all_bounces) {
+  using Value = value_t<Facet, Real>;
+  Value reflectance(0);
+  for_each_lobe(cavity, e, facet, most_bounces,
+                [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
+                  reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * throughput;
+                });
+  return reflectance;
+}
+
+/// Directional absorptance 1 − R(θ, φ), and by Kirchhoff's law the directional emissivity; a sum of positive
+/// terms that keeps its digits where the reflectance is close to 1.
+///
+/// @param e direction towards the light or the observer, e.z ≥ 0
+/// @param facet facet reflectance with a member `absorptance`, such as `Conductor`
+template <class Real, class Facet>
+requires AbsorbingFacet<Facet, Real> value_t<Facet, Real> directional_absorptance(const Cavity<Real>& cavity,
+                                                                                  const Vec3<Real>& e,
+                                                                                  const Facet& facet) {
+  return directional_reflectance(cavity, e, EnergyBalanced<Facet>(facet)).absorbed;
+}
+
+/// Mean number of bounces of the rays of a direction over the opening.
+/// @param e direction towards the light, e.z ≥ 0
+template <class Real>
+Real mean_bounces(const Cavity<Real>& cavity, const Vec3<Real>& e) {
+  Real mean(0);
+  for_each_lobe(
+      cavity, e, [](const Real&) { return Real(1); }, all_bounces,
+      [&](const PanelImages<Real>& last, const Real& weight, const Real&) {
+        mean += weight * Real(last.bounce());
+      });
+  return mean;
+}
+
+}  // namespace vcavity

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Values: what a facet reflectance may return.
+///
+/// The groove only multiplies, adds and scales facet reflectances, so any type with those three operations
+/// will do: a number, an RGB `glm::vec3`, a `Pack` of wavelengths, an `EnergyBalance`. A type of your own
+/// needs
+///
+///  - `Value(1)`, the reflectance that changes nothing, and `Value(0)`, no light;
+///  - `a * b`, the reflectance of a followed by b (it need not commute; the earlier bounce stands on the
+///  left);
+///  - `a + b`, and `s * a` for a number s of type `scalar_t<Value>`;
+///  - `largest(a)`, found by argument-dependent look-up: a number that is small only if all of `a` is small.
+
+#include <concepts>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/vector_relational.hpp>
+#include <type_traits>
+
+namespace vcavity {
+
+namespace detail {
+template <class Value>
+struct Scalar {
+  using type = Value;
+};
+template <class Value>
+requires requires {
+  typename Value::value_type;
+}
+struct Scalar<Value> {
+  using type = typename Value::value_type;
+};
+}  // namespace detail
+
+/// The number type that `Value` is made of: itself, or its `value_type`.
+template <class Value>
+using scalar_t = typename detail::Scalar<Value>::type;
+
+/// The value that a facet returns for a cosine of type `Real`.
+template <class Facet, class Real>
+using value_t = std::remove_cvref_t<std::invoke_result_t<const Facet&, Real>>;
+
+/// A facet reflectance: anything callable with the cosine of the angle of incidence, in [0, 1], that returns
+/// a value.
+template <class Facet, class Real>
+concept FacetReflectance = std::invocable<const Facet&, Real> && requires(value_t<Facet, Real> a) {
+  { a* a } -> std::convertible_to<value_t<Facet, Real>>;
+  { a + a } -> std::convertible_to<value_t<Facet, Real>>;
+  { scalar_t<value_t<Facet, Real>>(1) * a } -> std::convertible_to<value_t<Facet, Real>>;
+};
+
+/// The largest magnitude in a value.
+template <class Real>
+requires(!requires { typename Real::value_type; }) Real largest(const Real& a) {
+  return a < Real(0) ? Real(-a) : a;
+}
+
+template <glm::length_t length, class Real>
+Real largest(const glm::vec<length, Real>& a) {
+  Real result = largest(a[0]);
+  for (glm::length_t i = 1; i < length; ++i) result = glm::max(result, largest(a[i]));
+  return result;
+}
+
+/// Component by component, `a` where x ≥ 0 and `b` elsewhere.
+template <class Real>
+Real select_nonnegative(const Real& x, const Real& a, const Real& b) {
+  return x >= Real(0) ? a : b;
+}
+
+template <glm::length_t length, class Real>
+glm::vec<length, Real> select_nonnegative(const glm::vec<length, Real>& x, const glm::vec<length, Real>& a,
+                                          const glm::vec<length, Real>& b) {
+  return glm::mix(b, a, glm::greaterThanEqual(x, glm::vec<length, Real>(0)));
+}
+
+/// Component by component, the larger of `a` and the number `floor`.
+template <class Real>
+Real at_least(const Real& a, const Real& floor) {
+  return a < floor ? floor : a;
+}
+
+template <glm::length_t length, class Real>
+glm::vec<length, Real> at_least(const glm::vec<length, Real>& a, const Real& floor) {
+  return glm::max(a, floor);
+}
+
+/// Component by component, the smaller of `a` and the number `ceiling`.
+template <class Real>
+Real at_most(const Real& a, const Real& ceiling) {
+  return ceiling < a ? ceiling : a;
+}
+
+template <glm::length_t length, class Real>
+glm::vec<length, Real> at_most(const glm::vec<length, Real>& a, const Real& ceiling) {
+  return glm::min(a, ceiling);
+}
+
+/// Calls `visit` with every component of `a`.
+template <class Real, class Visit>
+requires(!requires { typename Real::value_type; }) void for_each_component(const Real& a, Visit&& visit) {
+  visit(a);
+}
+
+template <glm::length_t length, class Real, class Visit>
+void for_each_component(const glm::vec<length, Real>& a, Visit&& visit) {
+  for (glm::length_t i = 0; i < length; ++i) visit(a[i]);
+}
+
+}  // namespace vcavity

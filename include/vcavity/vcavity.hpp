@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Light reflected by specular V-grooves, in closed form. The includes below are in reading order.
+
+#include "version.hpp"
+// What is where, and in which units.
+#include "cavity.hpp"
+#include "conventions.hpp"
+// What a facet reflects: one bounce.
+#include "complex.hpp"
+#include "fresnel.hpp"
+#include "pack.hpp"
+#include "value.hpp"
+// What the groove makes of it: one ray, one direction, the hemisphere.
+#include "bihemispherical.hpp"
+#include "bounces.hpp"
+#include "energy_balance.hpp"
+#include "lobes.hpp"
+#include "quadrature.hpp"
+#include "reflectance.hpp"
+// To look at it, and to compare with.
+#include "paper_method.hpp"
+#include "projection.hpp"
