@@ -78,12 +78,6 @@ fs::path behind_links(fs::path path) {
   return path;
 }
 
-bool is_special(const fs::path& path) {
-  std::error_code ignored;
-  const auto status = fs::symlink_status(path, ignored);
-  return fs::exists(status) && status.type() != fs::file_type::regular;
-}
-
 fs::path next_temporary(const fs::path& folder) {
   static std::atomic<unsigned> count{0};
   return folder / (".vcavity-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
@@ -120,17 +114,19 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::open() {
   if (target_.empty()) fail(ENOENT);
-  std::error_code error;
   file_ = behind_links(fs::absolute(target_));
-  if (fs::is_directory(file_, error) || !file_.has_filename()) fail(EISDIR);
+  if (!file_.has_filename()) fail(EISDIR);
 
   struct stat existing {};
-  const bool exists = ::stat(file_.c_str(), &existing) == 0;
-  if (exists && ::access(file_.c_str(), W_OK) != 0) fail(errno);
+  const bool exists = ::lstat(file_.c_str(), &existing) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (exists && S_ISDIR(existing.st_mode)) fail(EISDIR);
+  if (exists && ::faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
 
-  const bool special = is_special(file_);
+  const bool special = exists && !S_ISREG(existing.st_mode);  // a link only within /proc
   if (special && (special_ = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) < 0) fail(errno);
 
+  std::error_code error;
   const fs::path folder = special ? fs::temp_directory_path(error) : file_.parent_path();
   if (error) fail(error.value());
   do {  // a killed process with our number may have left its file

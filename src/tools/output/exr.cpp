@@ -158,9 +158,9 @@ void ExrWriter::write_rows(int rows, std::span<const std::span<const float>> pla
     if (planes[c].size() != pixels)
       throw std::logic_error("channel '" + header.channels[c] + "' has " + std::to_string(planes[c].size()) +
                              " values, expected " + std::to_string(pixels));
-    const void* values = planes[c].data();
-    if (halves)
-      values = &*std::copy(planes[c].begin(), planes[c].end(), converted.begin() + c * pixels) - pixels;
+    half* const block = converted.data() + (halves ? c * pixels : 0);
+    if (halves) std::copy(planes[c].begin(), planes[c].end(), block);
+    const void* values = halves ? static_cast<const void*>(block) : planes[c].data();
     buffer.insert(header.channels[c], Imf::Slice::Make(halves ? Imf::HALF : Imf::FLOAT, values, origin,
                                                        header.width, rows, value_size));
   }

@@ -24,16 +24,16 @@ Progress::~Progress() {
 }
 
 void Progress::advance(std::uint64_t steps) {
-  const std::uint64_t done = done_.fetch_add(steps) + steps;
+  done_ += steps;
   if (!on_terminal_) return;
   const std::unique_lock lock(
       mutex_, std::try_to_lock);  // a thread that finds another one printing goes on computing
   if (!lock.owns_lock()) return;
-  if (const auto now = Clock::now(); now >= next_show_) show(std::min(done, total_), now);
+  if (const auto now = Clock::now(); now >= next_show_) show(now);
 }
 
-void Progress::show(std::uint64_t done, Clock::time_point now) {
-  const double share = static_cast<double>(done) / static_cast<double>(total_);
+void Progress::show(Clock::time_point now) {
+  const double share = static_cast<double>(std::min(done_.load(), total_)) / static_cast<double>(total_);
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const long left = share > 0 ? static_cast<long>(elapsed * (1 - share) / share + 0.5) : 0;
   std::fprintf(stderr, "\r\x1b[K%3.0f %%  %ld:%02ld:%02ld left", 100 * share, left / 3600, left / 60 % 60,

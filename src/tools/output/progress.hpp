@@ -27,7 +27,7 @@ class Progress {
   void advance(std::uint64_t steps = 1);
 
  private:
-  void show(std::uint64_t done, Clock::time_point now);
+  void show(Clock::time_point now);
 
   const std::uint64_t total_;
   const bool on_terminal_;

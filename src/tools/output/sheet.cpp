@@ -47,7 +47,8 @@ void validate(const Sheet& sheet) {
     if (disc.size < 1 ||
         disc.pixels.size() != static_cast<std::size_t>(disc.size) * static_cast<std::size_t>(disc.size))
       throw std::invalid_argument("disc '" + disc.label + "' of size " + std::to_string(disc.size) + " has " +
-                                  std::to_string(disc.pixels.size()) + " pixels");
+                                  std::to_string(disc.pixels.size()) + " pixels, expected " +
+                                  std::to_string(static_cast<long>(disc.size) * disc.size));
 }
 
 std::vector<Tick> bar_ticks(const ColourBar& bar) {
@@ -145,12 +146,32 @@ void draw_angle_grid(const Canvas& canvas, double x, double y, double radius) {
               {.size = angle_style.size, .colour = mid_grey, .anchor = Anchor::right});
 }
 
+// Continues the colours at the rim outwards, so that a resampled picture does not fade there; the disc is
+// clipped later.
+std::vector<Rgba8> with_extended_rim(const DiscMap& disc) {
+  std::vector<Rgba8> pixels = disc.pixels;
+  const double centre = disc.size / 2.0;
+  const double inside = std::max(centre - 1, 0.0);  // at this radius a pixel lies wholly within the disc
+  const auto index = [&](double x, double y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(disc.size) + static_cast<std::size_t>(x);
+  };
+  for (int row = 0; row < disc.size; ++row)
+    for (int column = 0; column < disc.size; ++column) {
+      const double x = column + 0.5 - centre, y = row + 0.5 - centre, radius = std::hypot(x, y);
+      if (radius <= inside) continue;
+      const double shrink = inside / radius;
+      pixels[index(column, row)] = disc.pixels[index(centre + shrink * x, centre + shrink * y)];
+    }
+  return pixels;
+}
+
 void draw_disc(const Canvas& canvas, const DiscMap& disc, AngleGrid grid, double x, double y, double radius) {
   cairo_t* const context = canvas.cairo();
   cairo_save(context);
   cairo_arc(context, x, y, radius, 0, 2 * std::numbers::pi);
   cairo_clip(context);
-  canvas.picture(x - radius, y - radius, 2 * radius, 2 * radius, disc.size, disc.size, disc.pixels);
+  canvas.picture(x - radius, y - radius, 2 * radius, 2 * radius, disc.size, disc.size,
+                 with_extended_rim(disc));
   cairo_restore(context);
   if (grid == AngleGrid::shown) draw_angle_grid(canvas, x, y, radius);
   cairo_new_path(context);
