@@ -36,14 +36,15 @@ TEST_CASE("viridis runs from its dark violet through its green to its yellow") {
   CHECK(map_colour(ColourMap::viridis, 1) == Rgba8{253, 231, 37, 255});
 }
 
-TEST_CASE("the lightness of viridis rises evenly") {
-  constexpr int steps = 32;
-  const double first = lightness(map_colour(ColourMap::viridis, 0));
-  const double last = lightness(map_colour(ColourMap::viridis, 1));
-  for (int i = 0; i <= steps; ++i) {
-    const double value = static_cast<double>(i) / steps;
-    CHECK(std::abs(lightness(map_colour(ColourMap::viridis, value)) - std::lerp(first, last, value)) < 1.5);
-  }
+// Viridis is uniform in CAM02-UCS, of which L* is an approximation: its own 256 colours keep within 15 % of
+// even steps.
+TEST_CASE("the lightness of viridis rises in nearly even steps") {
+  constexpr int steps = 16;
+  const auto at = [](int i) {
+    return lightness(map_colour(ColourMap::viridis, static_cast<double>(i) / steps));
+  };
+  const double even = (at(steps) - at(0)) / steps;
+  for (int i = 0; i < steps; ++i) CHECK((at(i + 1) - at(i)) / even == Approx(1).margin(0.15));
 }
 
 TEST_CASE("values out of range get the colour at the end, and no number gets none") {
