@@ -44,7 +44,7 @@ TEST_CASE("the lightness of viridis rises in nearly even steps") {
     return lightness(map_colour(ColourMap::viridis, static_cast<double>(i) / steps));
   };
   const double even = (at(steps) - at(0)) / steps;
-  for (int i = 0; i < steps; ++i) CHECK((at(i + 1) - at(i)) / even == Approx(1).margin(0.15));
+  for (int i = 0; i < steps; ++i) CHECK((at(i + 1) - at(i)) / even == Catch::Approx(1).margin(0.15));
 }
 
 TEST_CASE("values out of range get the colour at the end, and no number gets none") {

@@ -47,7 +47,7 @@ TEST_CASE("points stand at their values on a linear axis") {
   plot.series = {points({1, 2, 5}, {1, 1, 1})};
   const auto x = columns_with(drawn(plot), first_colour);
   REQUIRE(x.size() == 3);
-  CHECK((x[2] - x[1]) / (x[1] - x[0]) == Approx(3).margin(0.05));
+  CHECK((x[2] - x[1]) / (x[1] - x[0]) == Catch::Approx(3).margin(0.05));
 }
 
 TEST_CASE("equal ratios are equal distances on a logarithmic axis") {
@@ -56,7 +56,7 @@ TEST_CASE("equal ratios are equal distances on a logarithmic axis") {
   plot.series = {points({1e-6, 1e-3, 1}, {1, 1, 1})};
   const auto x = columns_with(drawn(plot), first_colour);
   REQUIRE(x.size() == 3);
-  CHECK((x[2] - x[1]) / (x[1] - x[0]) == Approx(1).margin(0.02));
+  CHECK((x[2] - x[1]) / (x[1] - x[0]) == Catch::Approx(1).margin(0.02));
 }
 
 TEST_CASE("larger values stand higher") {

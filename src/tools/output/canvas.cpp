@@ -40,6 +40,9 @@ void fix_font_options(cairo_t* context) {
 double advance(cairo_t* context, const std::string& text) {
   cairo_text_extents_t extents;
   cairo_text_extents(context, text.c_str(), &extents);
+  if (const auto status = cairo_status(context); status != CAIRO_STATUS_SUCCESS)
+    throw std::invalid_argument("a figure cannot show the text '" + text +
+                                "': " + cairo_status_to_string(status));
   return extents.x_advance;
 }
 
@@ -57,14 +60,11 @@ Ink ink(unsigned rgb, double alpha) {
 }
 
 double text_width(const std::string& text, const TextStyle& style) {
-  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
-  cairo_t* context = cairo_create(surface);
-  fix_font_options(context);
-  select_type(context, style);
-  const double width = advance(context, text);
-  cairo_destroy(context);
-  cairo_surface_destroy(surface);
-  return width;
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const CairoContext context(cairo_create(surface.get()));
+  fix_font_options(context.get());
+  select_type(context.get(), style);
+  return advance(context.get(), text);
 }
 
 std::vector<std::string> wrap(const std::string& text, const TextStyle& style, double width) {
@@ -136,7 +136,7 @@ void Canvas::line(double x0, double y0, double x1, double y1) const {
 
 void Canvas::picture(double x, double y, double width, double height, int columns, int rows,
                      const std::vector<Rgba8>& pixels) const {
-  const Surface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, columns, rows));
+  const CairoSurface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, columns, rows));
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(image.get()));
   unsigned char* const data = cairo_image_surface_get_data(image.get());
   if (data == nullptr)

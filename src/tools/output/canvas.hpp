@@ -15,6 +15,13 @@
 
 namespace vcavity::tools {
 
+template <auto release>
+struct CairoDeleter {
+  void operator()(auto* resource) const { release(resource); }
+};
+using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDeleter<cairo_surface_destroy>>;
+using CairoContext = std::unique_ptr<cairo_t, CairoDeleter<cairo_destroy>>;
+
 /// An opaque or translucent drawing colour, sRGB-encoded, components in [0, 1].
 struct Ink {
   double r, g, b;
@@ -39,7 +46,7 @@ struct TextStyle {
   Weight weight = Weight::normal;
 };
 
-/// Width of one line of text.
+/// Width of one line of text. Throws std::invalid_argument for text that is not UTF-8.
 double text_width(const std::string& text, const TextStyle& style);
 
 /// Breaks text between words into lines no wider than `width`; a single longer word is left whole.
@@ -51,6 +58,7 @@ inline constexpr double leading = 1.4;
 /// Height of wrapped text.
 double paragraph_height(const std::string& text, const TextStyle& style, double width);
 
+/// A page and the means to draw on it.
 class Canvas {
  public:
   /// A white page. PNG or SVG by the extension of the target; throws std::invalid_argument for any other.
@@ -60,6 +68,7 @@ class Canvas {
   /// For everything that needs no wrapper.
   cairo_t* cairo() const { return context_.get(); }
 
+  /// The colour of the lines and areas that follow.
   void set_ink(const Ink& colour) const;
 
   /// One line of text; `turn` rotates it about the position, in radians clockwise.
@@ -68,6 +77,7 @@ class Canvas {
   /// Wrapped text whose first line starts below `top`. Returns where it ends.
   double paragraph(double x, double top, const std::string& text, const TextStyle& style, double width) const;
 
+  /// A straight line with the current ink and line width.
   void line(double x0, double y0, double x1, double y1) const;
 
   /// A picture of columns × rows pixels, row by row from the top, stretched to a rectangle.
@@ -79,17 +89,10 @@ class Canvas {
   void finish();
 
  private:
-  template <auto release>
-  struct Releaser {
-    void operator()(auto* resource) const { release(resource); }
-  };
-  using Surface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_destroy>>;
-  using Context = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
-
   AtomicFile& file_;
   bool svg_;
-  Surface surface_;
-  Context context_;
+  CairoSurface surface_;
+  CairoContext context_;
 };
 
 }  // namespace vcavity::tools
