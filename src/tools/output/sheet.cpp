@@ -52,7 +52,7 @@ void validate(const Sheet& sheet) {
 }
 
 std::vector<Tick> bar_ticks(const ColourBar& bar) {
-  return linear_ticks(bar.low, bar.high, 7);
+  return linear_ticks(bar.low, bar.high, 9);
 }
 
 // Width of the colour bar with its numbers and its label.
