@@ -11,9 +11,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "tools/output/removal_on_signal.hpp"
 
 namespace vcavity::tools {
 
@@ -75,9 +78,9 @@ class AtomicFile {
   std::filesystem::path temporary_;  // absolute
   int descriptor_ = -1;
   int special_ = -1;  // the open target if it is not a regular file
-  int slot_ = -1;     // place among the files that a signal removes
   int error_ = 0;     // errno of the first failure
   std::uint64_t position_ = 0;
+  std::optional<RemovalOnSignal> on_signal_;
 };
 
 /// Replaces `path` by `text`, completely or not at all.
