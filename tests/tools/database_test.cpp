@@ -7,9 +7,10 @@
 #include <map>
 #include <optional>
 #include <ostream>
-#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -33,21 +34,29 @@ std::map<std::string, std::vector<Reading>> read_readings(const fs::path& table)
   std::map<std::string, std::vector<Reading>> readings;
   std::ifstream stream(table);
   REQUIRE(stream);
-  const std::regex row("([^,]*),([^,]*),([^,]*),(.*)");
   for (std::string line; std::getline(stream, line);) {
-    std::smatch words;
-    if (line.starts_with('#') || !std::regex_match(line, words, row)) continue;
-    readings[words[4]].push_back({std::stod(words[1]), {std::stod(words[2]), std::stod(words[3])}});
+    if (line.starts_with('#')) continue;
+    std::istringstream words(line);
+    std::string wavelength_nm, n, k, file;
+    std::getline(words, wavelength_nm, ',');
+    std::getline(words, n, ',');
+    std::getline(words, k, ',');
+    std::getline(words, file);
+    readings[file].push_back({std::stod(wavelength_nm), {std::stod(n), std::stod(k)}});
   }
   return readings;
 }
 
 /// "k is # at # nm; ..." for "FILE:12: k is -0.1 at 600 nm; ...": the same for all errors of a kind.
 std::string kind_of(const std::exception& error, const fs::path& file) {
-  std::string text = error.what();
-  text.erase(0, std::min(text.size(), file.string().size() + 1));
-  text = std::regex_replace(text, std::regex("^[0-9]+: "), "");
-  return std::regex_replace(text, std::regex("-?[0-9.]+(e[-+][0-9]+)?"), "#");
+  std::string_view reason(error.what());
+  reason.remove_prefix(std::min(reason.size(), file.string().size() + 1));  // FILE:
+  reason.remove_prefix(std::min(reason.size(), reason.find(": ") + 2));     // LINE:
+  std::string kind;
+  for (const std::string_view word : split_words(reason)) {
+    kind += (kind.empty() ? "" : " ") + (parse_number(word) ? "#" : std::string(word));
+  }
+  return kind;
 }
 
 /// Whether two readings are the same. Wavelengths are rounded on their way through nanometres, which shows
