@@ -54,7 +54,8 @@ std::string kind_of(const std::exception& error, const fs::path& file) {
   reason.remove_prefix(std::min(reason.size(), reason.find(": ") + 2));     // LINE:
   std::string kind;
   for (const std::string_view word : split_words(reason)) {
-    kind += (kind.empty() ? "" : " ") + (parse_number(word) ? "#" : std::string(word));
+    if (!kind.empty()) kind += ' ';
+    kind += parse_number(word) ? "#" : word;
   }
   return kind;
 }

@@ -69,6 +69,15 @@ TEST_CASE("formula 9 has a pole and a dispersive line") {
   CHECK(index("9", "1 2 3 0.4 1 0.6", 2) == near(std::sqrt(3.25)));
 }
 
+TEST_CASE("a term of strength 0 does not count, not even at its own resonance") {
+  CHECK(index("1", "0 0 2 3 1", 2) == near(std::sqrt(5)));
+  CHECK(index("2", "0 0 4 3 1", 2) == near(std::sqrt(5)));
+  CHECK(index("6", "0.5 0 0.25", 2) == 1.5);
+  CHECK(index("8", "0.4 0 4", 2) == near(std::sqrt(3)));
+  CHECK(index("9", "4 0 4", 2) == 2);
+  CHECK(index("9", "4 0 0 0 2 0", 2) == 2);
+}
+
 TEST_CASE("coefficients at the end of a formula may be absent") {
   CHECK(index("1", "3", 2) == 2);
   CHECK(index("4", "4 0 2", 2) == 2);

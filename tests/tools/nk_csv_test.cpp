@@ -85,8 +85,12 @@ TEST_CASE("bad rows are reported with their line") {
   CHECK(complaint("") == "1: the file is empty");
 }
 
+TEST_CASE("numbers may have a sign and an exponent") {
+  CHECK(read("wavelength_nm,n\n+4e2,+1.5\n").at(400).n == 1.5);
+}
+
 TEST_CASE("a byte order mark does no harm") {
-  CHECK(read("\xef\xbb\xbfwavelength_nm,n\n400,1.5\n").at(400).n == 1.5);
+  CHECK(read("\xef\xbb\xbfwl,n\n0.4,1.5\n").at(400).n == 1.5);
 }
 
 }  // namespace
