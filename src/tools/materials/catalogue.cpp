@@ -109,6 +109,9 @@ Material load_material(std::string_view specification) {
   std::map<std::string, std::string> sources = read_defaults(folder);
   for (const std::string& name : source_names(folder)) sources.emplace(name, name);
 
+  // First the exact name: Co is cobalt, CO would be carbon monoxide.
+  if (const auto exact = sources.find(text); exact != sources.end())
+    return read_source(folder, exact->second);
   std::vector<std::string> names;
   for (const auto& [name, source] : sources) {
     if (lower_case(name) == lower_case(text)) return read_source(folder, source);

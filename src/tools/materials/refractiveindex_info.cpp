@@ -116,12 +116,10 @@ class DataReader {
       throw malformed(file_, line_of(range_text),
                       "'" + range_text.Scalar() + "' is not a range of two increasing wavelengths above 0");
     }
-    set(n_,
-        {.at = [formula, coefficients](
-                   double wavelength_um) { return index_from_formula(formula, coefficients, wavelength_um); },
-         .range = {range[0], range[1]},
-         .file = file_,
-         .line = line_of(entry)});
+    const auto index = [formula, coefficients](double wavelength_um) {
+      return index_from_formula(formula, coefficients, wavelength_um);
+    };
+    set(n_, {.at = index, .range = {range[0], range[1]}, .file = file_, .line = line_of(entry)});
   }
 
   const fs::path& file_;
