@@ -11,11 +11,9 @@
 
 namespace agreement {
 
-/// Rays that pass an edge within this distance (in panel widths, across the ray) may take another way in the
-/// tracer, which asks Embree in single precision which panel is hit. The coordinates of a path, at most about
-/// 1, are rounded by half an epsilon in the ray, in the edge and in their difference; four leave no room for
-/// luck.
-inline constexpr double edge_margin = 4 * std::numeric_limits<float>::epsilon();
+/// Rays that pass an edge within this distance, in panel widths across the ray, may take another way: both
+/// programs round.
+inline constexpr double edge_margin = 1e-12;
 
 /// Largest distance between the two exit directions, both unit vectors. Only double precision is at work
 /// here: ninety rotations in the theory, ninety reflections in the tracer.

@@ -22,24 +22,12 @@ std::vector<glm::dvec3> panel_normals(const Relief& relief) {
   return normals;
 }
 
-// The smallest distance, measured across the segment, to the edges that it passes and to the two that bound
-// the panel where it stops. `stop` is the panel and the parameter along the segment, or none and infinity.
-double clearance_of(const Relief& relief, glm::dvec3 origin, glm::dvec3 direction, std::optional<int> panel,
-                    double distance) {
-  const glm::dvec2 start{origin.y, origin.z};
-  const glm::dvec2 along{direction.y, direction.z};
-  const double speed = glm::length(along);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int edge = 0; edge <= relief.panels(); ++edge) {
-    const glm::dvec2 to_edge = relief.profile[static_cast<std::size_t>(edge)] - start;
-    const double foot = glm::dot(to_edge, along) / (speed * speed);
-    const bool bounds_the_stop = panel && (edge == *panel || edge == *panel + 1);
-    const bool is_passed = foot > 0 && foot < distance;
-    if (bounds_the_stop || is_passed)
-      nearest = std::min(nearest, std::abs(to_edge.x * along.y - to_edge.y * along.x) / speed);
-  }
-  return nearest;
-}
+// Embree's choice is doubted within this distance of an edge, in panel widths. The coordinates of a path, at
+// most about 1, are rounded by half an epsilon in the ray, in the edge and in their difference; four leave no
+// room for luck.
+constexpr double doubtful = 4 * std::numeric_limits<float>::epsilon();
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -52,26 +40,70 @@ int bounces_in_other_grooves(const Path& path) {
 Tracer::Tracer(Relief relief)
     : relief_(std::move(relief)), normals_(panel_normals(relief_)), scene_(relief_) {}
 
+double Tracer::distance_to(int panel, glm::dvec3 origin, glm::dvec3 direction) const {
+  const auto p = static_cast<std::size_t>(panel);
+  const glm::dvec3 corner{origin.x, relief_.profile[p]};
+  return glm::dot(corner - origin, normals_[p]) / glm::dot(direction, normals_[p]);
+}
+
+std::optional<int> Tracer::search_all_panels(glm::dvec3 origin, glm::dvec3 direction,
+                                             std::optional<int> left) const {
+  std::optional<int> first;
+  double nearest = infinity;
+  for (int panel = 0; panel < relief_.panels(); ++panel) {
+    const auto p = static_cast<std::size_t>(panel);
+    if (panel == left || glm::dot(direction, normals_[p]) >= 0) continue;
+    const double distance = distance_to(panel, origin, direction);
+    const glm::dvec3 point = origin + distance * direction;
+    const bool is_on_panel = relief_.profile[p].x <= point.y && point.y <= relief_.profile[p + 1].x &&
+                             std::abs(point.x) <= relief_.length / 2;
+    if (is_on_panel && distance > 0 && distance < nearest) {
+      first = panel;
+      nearest = distance;
+    }
+  }
+  return first;
+}
+
+Tracer::Segment Tracer::segment_to(std::optional<int> panel, glm::dvec3 origin, glm::dvec3 direction) const {
+  Segment segment{panel, panel ? distance_to(*panel, origin, direction) : infinity, infinity};
+  const glm::dvec2 start{origin.y, origin.z};
+  const glm::dvec2 along{direction.y, direction.z};
+  const double speed = glm::length(along);
+  for (int edge = 0; edge <= relief_.panels(); ++edge) {
+    const glm::dvec2 to_edge = relief_.profile[static_cast<std::size_t>(edge)] - start;
+    const double foot = glm::dot(to_edge, along) / (speed * speed);
+    const bool is_passed = foot > 0 && foot < segment.distance;
+    const bool bounds_the_stop = edge == panel || edge - 1 == panel;
+    if (is_passed || bounds_the_stop)
+      segment.clearance =
+          std::min(segment.clearance, std::abs(to_edge.x * along.y - to_edge.y * along.x) / speed);
+  }
+  return segment;
+}
+
+Tracer::Segment Tracer::next_segment(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const {
+  const Segment segment = segment_to(scene_.first_panel(origin, direction, left), origin, direction);
+  if (segment.clearance > doubtful) return segment;
+  return segment_to(search_all_panels(origin, direction, left), origin, direction);
+}
+
 Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
-  Path path{{}, direction, origin, Ending::missed, std::numeric_limits<double>::infinity()};
+  Path path{{}, direction, origin, Ending::missed, infinity};
   std::optional<int> left;
-  while (path.bounces.size() < trapped_after) {
-    const std::optional<int> panel = scene_.first_panel(origin, direction, left);
-    if (!panel) break;
-    const glm::dvec3 normal = normals_[static_cast<std::size_t>(*panel)];
-    const glm::dvec2 edge = relief_.profile[static_cast<std::size_t>(*panel)];
+  for (;;) {
+    const Segment segment = next_segment(origin, direction, left);
+    path.clearance = std::min(path.clearance, segment.clearance);
+    if (!segment.panel || path.bounces.size() == trapped_after) break;
+    const glm::dvec3 normal = normals_[static_cast<std::size_t>(*segment.panel)];
     const double approach = glm::dot(direction, normal);
-    const double distance = glm::dot(glm::dvec3(origin.x, edge) - origin, normal) / approach;
-    path.clearance = std::min(path.clearance, clearance_of(relief_, origin, direction, panel, distance));
-    path.bounces.push_back({*panel, -approach});
-    origin += distance * direction;
+    path.bounces.push_back({*segment.panel, -approach});
+    origin += segment.distance * direction;
     direction -= 2 * approach * normal;
-    left = panel;
+    left = segment.panel;
   }
   path.direction = direction;
   path.top = origin + (relief_.top() - origin.z) / direction.z * direction;
-  path.clearance = std::min(path.clearance, clearance_of(relief_, origin, direction, std::nullopt,
-                                                         std::numeric_limits<double>::infinity()));
   if (path.bounces.size() == trapped_after)
     path.ending = Ending::trapped;
   else if (!path.bounces.empty())

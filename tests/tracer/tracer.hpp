@@ -59,6 +59,19 @@ class Tracer {
   Path trace(glm::dvec3 origin, glm::dvec3 direction) const;
 
  private:
+  // A straight piece of a path, as far as the panel where it stops, if there is one.
+  struct Segment {
+    std::optional<int> panel;
+    double distance;   // to the panel along the ray, or infinity
+    double clearance;  // as in Path
+  };
+
+  Segment segment_to(std::optional<int> panel, glm::dvec3 origin, glm::dvec3 direction) const;
+  Segment next_segment(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const;
+  std::optional<int> search_all_panels(glm::dvec3 origin, glm::dvec3 direction,
+                                       std::optional<int> left) const;
+  double distance_to(int panel, glm::dvec3 origin, glm::dvec3 direction) const;
+
   Relief relief_;
   std::vector<glm::dvec3> normals_;  // of each panel, pointing up
   EmbreeScene scene_;
