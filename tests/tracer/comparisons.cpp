@@ -2,10 +2,10 @@
 #include "comparisons.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 namespace agreement {
@@ -28,6 +28,33 @@ void average(const tracer::Tracer& grooves, RayAt ray_at, Value value, std::vect
     }
     for (Traced& of : traced) of.mean.end_replicate();
   }
+}
+
+template <class Range>
+auto choose(const Range& range, Uniform& uniform) {
+  return range[static_cast<std::size_t>(uniform() * static_cast<double>(std::size(range)))];
+}
+
+// One ray in two comes from a special direction, the others from anywhere above; the position is left open.
+LightRay some_direction(double aperture, Uniform& uniform) {
+  if (uniform() < 0.5) return choose(special_directions(aperture), uniform);
+  return {aperture, grazing * uniform(), 2 * pi * uniform(), 0};
+}
+
+// Compares the rays that `next_ray(uniform)` makes, each for one of the example materials.
+template <class NextRay>
+RayAgreement compare_each(const RayTheory& theory, double aperture, std::int64_t rays, std::uint64_t seed,
+                          NextRay next_ray) {
+  const tracer::Tracer grooves = tracer::wide_groove_array(aperture);
+  const std::vector<Material> materials = tracer::example_materials();
+  Uniform uniform(seed);
+  RayAgreement agreement;
+  for (std::int64_t i = 0; i < rays; ++i) {
+    const LightRay ray = next_ray(uniform);
+    const Material material = choose(materials, uniform);
+    agreement.add(ray, material, trace(grooves, ray), theory(ray, material));
+  }
+  return agreement;
 }
 
 }  // namespace
@@ -56,24 +83,27 @@ std::vector<LightRay> special_directions(double aperture) {
 }
 
 RayAgreement compare_rays(const RayTheory& theory, double aperture, std::int64_t rays, std::uint64_t seed) {
-  const tracer::Tracer grooves = tracer::wide_groove_array(aperture);
-  const std::vector<LightRay> special = special_directions(aperture);
-  const std::vector<Material> materials = tracer::example_materials();
-  std::mt19937_64 random(seed);
-  const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-
-  RayAgreement agreement;
-  for (std::int64_t i = 0; i < rays; ++i) {
-    LightRay ray = special[random() % special.size()];
-    if (i % 2 == 0) {
-      ray.theta = grazing * uniform();
-      ray.phi = 2 * pi * uniform();
-    }
+  return compare_each(theory, aperture, rays, seed, [&](Uniform& uniform) {
+    LightRay ray = some_direction(aperture, uniform);
     ray.position = 2 * uniform() - 1;
-    const Material& material = materials[random() % materials.size()];
-    agreement.add(ray, material, trace(grooves, ray), theory(ray, material));
-  }
-  return agreement;
+    return ray;
+  });
+}
+
+RayAgreement compare_rays_beside_edges(const RayTheory& theory, double aperture, std::int64_t rays,
+                                       std::uint64_t seed) {
+  return compare_each(theory, aperture, rays, seed, [&](Uniform& uniform) {
+    for (;;) {
+      LightRay ray = some_direction(aperture, uniform);
+      const glm::dvec3 light = towards_light(ray);
+      const double slope = light.y / light.z;
+      const double apex = slope / std::tan(aperture / 2);
+      const double edge = choose(std::array{-1.0, apex, 1.0}, uniform);
+      const double distance = 10 * edge_margin * std::pow(1e6, uniform()) * (uniform() < 0.5 ? -1 : 1);
+      ray.position = edge + distance * std::sqrt(1 + slope * slope) / std::sin(aperture / 2);
+      if (std::abs(ray.position) <= 1) return ray;
+    }
+  });
 }
 
 std::vector<TracedDirection> trace_directions(double aperture, std::int64_t rays, std::uint64_t seed) {

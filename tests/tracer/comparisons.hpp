@@ -30,6 +30,10 @@ std::vector<LightRay> special_directions(double aperture);
 /// hemisphere up to 89.9 degrees, and compares each with the theory for one of the example materials.
 RayAgreement compare_rays(const RayTheory& theory, double aperture, std::int64_t rays, std::uint64_t seed);
 
+/// The same for rays that enter 1e-11 to 1e-5 panel widths beside the apex or a rim, just outside the margin.
+RayAgreement compare_rays_beside_edges(const RayTheory& theory, double aperture, std::int64_t rays,
+                                       std::uint64_t seed);
+
 /// A traced directional reflectance.
 struct TracedDirection {
   LightRay ray;  ///< its position plays no part

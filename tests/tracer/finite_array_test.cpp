@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <random>
 
 #include "support/catch.hpp"
 #include "tracer/comparisons.hpp"
@@ -32,11 +31,11 @@ double mean_over_cube(Value value) {
 // Fraction of the diffuse light that falls all along the middle groove and is lost through its ends.
 double lost_through_ends(double length) {
   const Tracer grooves(tracer::groove_array(aperture, 9, length));
-  std::mt19937_64 random(1);
+  Uniform uniform(1);
   return mean_over_cube([&](const std::array<double, 3>& u) {
     const LightRay ray = diffuse_ray(aperture, u);
     const glm::dvec3 light = towards_light(ray);
-    const double along = (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * length;
+    const double along = (uniform() - 0.5) * length;
     const glm::dvec3 start = entrance(ray) + glm::dvec3(along, 0, 0) + 1e-3 * light;
     return grooves.trace(start, -light).ending == Ending::upwards ? 0.0 : 1.0;
   });

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <random>
 
 namespace agreement {
 
 ShiftedLattice::ShiftedLattice(std::uint64_t seed, int replicate) {
-  std::mt19937_64 random(seed * replicates + static_cast<std::uint64_t>(replicate));
-  for (double& coordinate : shift_) coordinate = static_cast<double>(random() >> 11) * 0x1p-53;
+  Uniform uniform(seed * replicates + static_cast<std::uint64_t>(replicate));
+  for (double& coordinate : shift_) coordinate = uniform();
 }
 
 std::array<double, 3> ShiftedLattice::operator[](int i) const {
@@ -49,11 +48,11 @@ double allowed_sigmas(int cases) {
 }
 
 std::vector<MeanComparison> failures(const std::vector<MeanComparison>& comparisons) {
-  // Where all rays have one reflectance only rounding is left of the spread.
-  constexpr double rounding = 1e-12;
   const double sigmas = allowed_sigmas(static_cast<int>(comparisons.size()));
   std::vector<MeanComparison> failed;
   std::ranges::copy_if(comparisons, std::back_inserter(failed), [&](const MeanComparison& comparison) {
+    // Where all rays have one reflectance only rounding is left of the spread.
+    const double rounding = 1e-11 * comparison.traced;
     const double allowed = std::min(sigmas * comparison.standard_error + rounding, mean_tolerance);
     return !(std::abs(comparison.difference()) <= allowed);
   });

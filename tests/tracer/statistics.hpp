@@ -9,10 +9,21 @@
 
 #include <array>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
 namespace agreement {
+
+/// Random numbers in [0, 1), the same on every system.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : bits_(seed) {}
+  double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 bits_;
+};
 
 /// The replicates of every mean: so many that their average is normally distributed for all that matters
 /// here.
