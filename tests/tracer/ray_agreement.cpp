@@ -55,6 +55,7 @@ void RayAgreement::add(const LightRay& ray, const Material& material, const trac
       is_same_path && direction_error <= direction_tolerance && product_error <= product_tolerance;
 
   ++rays;
+  refined += path.refined;
   expected_inside += expected_inside_margin(ray);
   if (path.clearance < edge_margin) {
     ++inside_margin;
@@ -74,6 +75,7 @@ RayAgreement& RayAgreement::operator+=(const RayAgreement& other) {
   rays += other.rays;
   inside_margin += other.inside_margin;
   mismatches_inside += other.mismatches_inside;
+  refined += other.refined;
   mismatches += other.mismatches;
   met_another_groove += other.met_another_groove;
   expected_inside += other.expected_inside;

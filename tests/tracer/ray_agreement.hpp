@@ -35,6 +35,7 @@ struct RayAgreement {
   std::int64_t inside_margin = 0;       ///< rays within the margin of an edge
   std::int64_t mismatches_inside = 0;   ///< those of them for which the two programs differ
   std::int64_t mismatches = 0;          ///< rays outside the margin for which they differ: none are allowed
+  std::int64_t refined = 0;             ///< rays with a panel chosen in double precision
   std::int64_t met_another_groove = 0;  ///< rays that left one groove and met another: the model says never
   double expected_inside = 0;           ///< sum of expected_inside_margin()
   double largest_direction_error = 0;   ///< outside the margin, where path and theory have the same bounces
@@ -54,6 +55,7 @@ struct RayAgreement {
   /// The margin has hidden no more rays than its width explains, up to five standard deviations of chance.
   bool margin_is_narrow() const;
 
+  double fraction_refined() const { return static_cast<double>(refined) / static_cast<double>(rays); }
   double fraction_inside() const { return static_cast<double>(inside_margin) / static_cast<double>(rays); }
 };
 

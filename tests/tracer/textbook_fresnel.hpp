@@ -23,9 +23,9 @@ struct Material {
 /// A glass and two metals: the silver of the paper, and a weak metal whose reflectance varies more with the
 /// angle.
 inline std::vector<Material> example_materials() {
-  return {{"dielectric, 1.5", {1.5, 0}},
-          {"silver, 0.1249 + 3.3391i", {0.1249, 3.3391}},
-          {"metal, 3.2 + 3.3i", {3.2, 3.3}}};
+  return {{"dielectric 1.5", {1.5, 0}},
+          {"silver 0.1249 + 3.3391i", {0.1249, 3.3391}},
+          {"metal 3.2 + 3.3i", {3.2, 3.3}}};
 }
 
 /// Reflectance of a mirror for unpolarised light.

@@ -85,7 +85,9 @@ Tracer::Segment Tracer::segment_to(std::optional<int> panel, glm::dvec3 origin, 
 Tracer::Segment Tracer::next_segment(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const {
   const Segment segment = segment_to(scene_.first_panel(origin, direction, left), origin, direction);
   if (segment.clearance > doubtful) return segment;
-  return segment_to(search_all_panels(origin, direction, left), origin, direction);
+  Segment refined = segment_to(search_all_panels(origin, direction, left), origin, direction);
+  refined.refined = true;
+  return refined;
 }
 
 Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
@@ -94,6 +96,7 @@ Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
   for (;;) {
     const Segment segment = next_segment(origin, direction, left);
     path.clearance = std::min(path.clearance, segment.clearance);
+    path.refined = path.refined || segment.refined;
     if (!segment.panel || path.bounces.size() == trapped_after) break;
     const glm::dvec3 normal = normals_[static_cast<std::size_t>(*segment.panel)];
     const double approach = glm::dot(direction, normal);

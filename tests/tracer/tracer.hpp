@@ -40,6 +40,7 @@ struct Path {
   /// is the distance to the nearest discontinuity of everything that depends on the path, found without a
   /// formula for where these lie.
   double clearance;
+  bool refined = false;  ///< whether a panel was chosen in double precision
 };
 
 /// The number of panels met after the path had already left through the top of the groove that it met first.
@@ -62,8 +63,9 @@ class Tracer {
   // A straight piece of a path, as far as the panel where it stops, if there is one.
   struct Segment {
     std::optional<int> panel;
-    double distance;   // to the panel along the ray, or infinity
-    double clearance;  // as in Path
+    double distance;       // to the panel along the ray, or infinity
+    double clearance;      // as in Path
+    bool refined = false;  // as in Path
   };
 
   Segment segment_to(std::optional<int> panel, glm::dvec3 origin, glm::dvec3 direction) const;
