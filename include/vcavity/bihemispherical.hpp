@@ -286,10 +286,10 @@ class HemisphereQuadrature {
 ///        may come out larger (about 1e-15 in double)
 /// @param most_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> Integral<value_t<Facet, Real>> bihemispherical_reflectance(
-    const Cavity<Real>& cavity, const Facet& facet, const scalar_t<value_t<Facet, Real>>& tolerance,
-    int most_bounces = all_bounces) {
+template <class Real, FacetReflectance<Real> Facet>
+Integral<value_t<Facet, Real>> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
+                                                           const scalar_t<value_t<Facet, Real>>& tolerance,
+                                                           int most_bounces = all_bounces) {
   using Scalar = scalar_t<value_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;

@@ -119,11 +119,9 @@ Vec3<Real> ray_exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e, c
 
 /// Reflectance of a single ray, the product of the facet reflectances along its way (Eq. 17).
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity,
-                                                                            const Vec3<Real>& e,
-                                                                            const RayPath& path,
-                                                                            const Facet& facet) {
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const RayPath& path,
+                                     const Facet& facet) {
   PanelImages<Real> images(cavity, e, path.first_panel);
   auto throughput = facet(images.cos_theta_i());
   while (images.bounce() < path.bounces) {
@@ -136,11 +134,9 @@ requires FacetReflectance<Facet, Real> value_t<Facet, Real> ray_reflectance(cons
 /// Reflectance R(θ, φ, y) of the ray through a point of the opening (Eq. 17).
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity,
-                                                                            const Vec3<Real>& e,
-                                                                            const Real& position,
-                                                                            const Facet& facet) {
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position,
+                                     const Facet& facet) {
   return ray_reflectance(cavity, e, ray_path(cavity, e, position), facet);
 }
 

@@ -135,8 +135,7 @@ class ReachedFractions {
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces lobes of more bounces are left out
 /// @param visit called as visit(images at the last bounce, weight, throughput)
-template <class Real, class Facet, class Visit>
-requires FacetReflectance<Facet, Real>
+template <class Real, FacetReflectance<Real> Facet, class Visit>
 void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces,
                    Visit&& visit) {
   using Value = value_t<Facet, Real>;
@@ -177,9 +176,9 @@ void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet&
 ///          diffuse light; then `-direction` of a lobe is where its light comes from.
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces lobes of more bounces are left out
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> Lobes<Real, value_t<Facet, Real>> lobes(
-    const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces = all_bounces) {
+template <class Real, FacetReflectance<Real> Facet>
+Lobes<Real, value_t<Facet, Real>> lobes(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet,
+                                        int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   Lobes<Real, Value> result;
   for_each_lobe(

@@ -17,10 +17,10 @@ namespace vcavity::paper_method {
 /// @param e direction towards the light, e.z ≥ 0
 /// @param positions number of rays across the opening, ≥ 1
 /// @param most_bounces rays of more bounces count as black
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> value_t<Facet, Real> directional_reflectance(
-    const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int positions,
-    int most_bounces = all_bounces) {
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+                                             const Facet& facet, int positions,
+                                             int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   Value sum(0);
@@ -37,10 +37,10 @@ requires FacetReflectance<Facet, Real> value_t<Facet, Real> directional_reflecta
 /// @param polar number of polar angles θ in [0, π/2], ≥ 1
 /// @param azimuthal number of azimuths φ in [0, 2π), ≥ 1
 /// @param most_bounces rays of more bounces count as black
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> value_t<Facet, Real> bihemispherical_reflectance(
-    const Cavity<Real>& cavity, const Facet& facet, int positions, int polar, int azimuthal,
-    int most_bounces = all_bounces) {
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
+                                                 int positions, int polar, int azimuthal,
+                                                 int most_bounces = all_bounces) {
   using std::cos;
   using std::sin;
   using Value = value_t<Facet, Real>;

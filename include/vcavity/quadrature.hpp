@@ -30,7 +30,7 @@ std::vector<QuadratureNode<Real>> gauss_legendre(std::size_t order) {
   using std::abs;
   using std::cos;
   std::vector<QuadratureNode<Real>> nodes(order);
-  const Real n(static_cast<int>(order));
+  const Real n = Real(static_cast<int>(order));
   for (std::size_t i = 0; i < (order + 1) / 2; ++i) {
     Real x = cos(pi<Real>() * (Real(static_cast<int>(i)) + Real(0.75)) / (n + Real(0.5)));
     Real derivative(0);
@@ -42,7 +42,7 @@ std::vector<QuadratureNode<Real>> gauss_legendre(std::size_t order) {
       Real p0(1);
       Real p1 = x;
       for (std::size_t k = 2; k <= order; ++k) {
-        const Real degree(static_cast<int>(k));
+        const Real degree = Real(static_cast<int>(k));
         const Real p2 = ((Real(2) * degree - Real(1)) * x * p1 - (degree - Real(1)) * p0) / degree;
         p0 = p1;
         p1 = p2;

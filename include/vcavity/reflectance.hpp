@@ -18,9 +18,9 @@ namespace vcavity {
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces light that needs more bounces is left out
 /// @return a value of the facet's type
-template <class Real, class Facet>
-requires FacetReflectance<Facet, Real> value_t<Facet, Real> directional_reflectance(
-    const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces = all_bounces) {
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+                                             const Facet& facet, int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   Value reflectance(0);
   for_each_lobe(cavity, e, facet, most_bounces,
@@ -35,10 +35,9 @@ requires FacetReflectance<Facet, Real> value_t<Facet, Real> directional_reflecta
 ///
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet facet reflectance with a member `absorptance`, such as `Conductor`
-template <class Real, class Facet>
-requires AbsorbingFacet<Facet, Real> value_t<Facet, Real> directional_absorptance(const Cavity<Real>& cavity,
-                                                                                  const Vec3<Real>& e,
-                                                                                  const Facet& facet) {
+template <class Real, AbsorbingFacet<Real> Facet>
+value_t<Facet, Real> directional_absorptance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+                                             const Facet& facet) {
   return directional_reflectance(cavity, e, EnergyBalanced<Facet>(facet)).absorbed;
 }
 

@@ -17,9 +17,14 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/vector_relational.hpp>
+#include <limits>
 #include <type_traits>
 
 namespace vcavity {
+
+/// A number type: built in, or any other with `std::numeric_limits`.
+template <class T>
+concept Number = std::numeric_limits<T>::is_specialized;
 
 namespace detail {
 template <class Value>
@@ -27,10 +32,7 @@ struct Scalar {
   using type = Value;
 };
 template <class Value>
-requires requires {
-  typename Value::value_type;
-}
-struct Scalar<Value> {
+requires(!Number<Value>) struct Scalar<Value> {
   using type = typename Value::value_type;
 };
 }  // namespace detail
@@ -53,8 +55,8 @@ concept FacetReflectance = std::invocable<const Facet&, Real> && requires(value_
 };
 
 /// The largest magnitude in a value.
-template <class Real>
-requires(!requires { typename Real::value_type; }) Real largest(const Real& a) {
+template <Number Real>
+Real largest(const Real& a) {
   return a < Real(0) ? Real(-a) : a;
 }
 
@@ -66,7 +68,7 @@ Real largest(const glm::vec<length, Real>& a) {
 }
 
 /// Component by component, `a` where x ≥ 0 and `b` elsewhere.
-template <class Real>
+template <Number Real>
 Real select_nonnegative(const Real& x, const Real& a, const Real& b) {
   return x >= Real(0) ? a : b;
 }
@@ -78,7 +80,7 @@ glm::vec<length, Real> select_nonnegative(const glm::vec<length, Real>& x, const
 }
 
 /// Component by component, the larger of `a` and the number `floor`.
-template <class Real>
+template <Number Real>
 Real at_least(const Real& a, const Real& floor) {
   return a < floor ? floor : a;
 }
@@ -89,7 +91,7 @@ glm::vec<length, Real> at_least(const glm::vec<length, Real>& a, const Real& flo
 }
 
 /// Component by component, the smaller of `a` and the number `ceiling`.
-template <class Real>
+template <Number Real>
 Real at_most(const Real& a, const Real& ceiling) {
   return ceiling < a ? ceiling : a;
 }
@@ -100,8 +102,8 @@ glm::vec<length, Real> at_most(const glm::vec<length, Real>& a, const Real& ceil
 }
 
 /// Calls `visit` with every component of `a`.
-template <class Real, class Visit>
-requires(!requires { typename Real::value_type; }) void for_each_component(const Real& a, Visit&& visit) {
+template <Number Real, class Visit>
+void for_each_component(const Real& a, Visit&& visit) {
   visit(a);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Reference cases from explicit real-space tracing in 40-digit arithmetic: no unfolding, no bounce-count formula.
+/// Reference cases from explicit real-space tracing in 40-digit arithmetic: no unfolding, no bounce-count
+/// formula.
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,8 @@ using namespace vcavity;
 namespace {
 
 const nlohmann::json& cases() {
-  static const nlohmann::json data = nlohmann::json::parse(std::ifstream(VCAVITY_TEST_DATA "/reference_cases.json"));
+  static const nlohmann::json data =
+      nlohmann::json::parse(std::ifstream(VCAVITY_TEST_DATA "/reference_cases.json"));
   return data;
 }
 
@@ -36,7 +38,8 @@ Vec3<double> direction_of(const nlohmann::json& row) {
 
 void check_direction(const Vec3<double>& actual, const nlohmann::json& expected) {
   for (glm::length_t i = 0; i < 3; ++i)
-    CHECK(actual[i] == Approx(expected[static_cast<std::size_t>(i)].get<double>()).epsilon(1e-9).margin(1e-12));
+    CHECK(actual[i] ==
+          Approx(expected[static_cast<std::size_t>(i)].get<double>()).epsilon(1e-9).margin(1e-12));
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// From the reflectance at some wavelengths to a colour.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/colour/colour.hpp"
+
+namespace vcavity::tools {
+
+/// Whose eye sees the colour.
+enum class Observer { cie_1931_2deg, cie_1964_10deg };
+
+/// The light it is seen in. E has equal power at every wavelength.
+enum class Illuminant { a, d65, e };
+
+/// The contribution of every wavelength of a grid to X, Y and Z, so that the colour of a spectrum is three
+/// sums of products.
+///
+/// The sums are those of CIE 15:2018, section 7.1, with the step of the grid; colour-matching functions and
+/// illuminant are interpolated linearly between their points 5 nm apart. They are given from 360 to 780 nm,
+/// and are 0 elsewhere. A perfect reflector has Y = 1 on every grid, but on one that is coarse or misses part
+/// of the spectrum its X and Z, and with them the white, differ from those of the illuminant.
+class SpectralWeights {
+ public:
+  /// \param wavelengths_nm   ascending, equally spaced; one or more
+  /// Throws UsageError if they are not, or if none of them is visible; std::runtime_error if a table in
+  /// data/cie cannot be read.
+  explicit SpectralWeights(std::span<const double> wavelengths_nm, Illuminant illuminant = Illuminant::d65,
+                           Observer observer = Observer::cie_1931_2deg);
+
+  /// The weights, in the order of the wavelengths.
+  const std::vector<Xyz>& weights() const { return weights_; }
+
+  /// The colour of a perfect reflector, Y = 1: the reference white of to_lab().
+  const Xyz& white() const { return white_; }
+
+  /// The colour of a reflectance spectrum.
+  /// \param reflectance   one value for each wavelength of the grid
+  Xyz colour(std::span<const double> reflectance) const;
+
+ private:
+  std::vector<Xyz> weights_;
+  Xyz white_{};
+};
+
+}  // namespace vcavity::tools

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/materials/refractiveindex_info.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tools/linear_table.hpp"
+#include "tools/materials/dispersion_formula.hpp"
+#include "tools/text_file.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+int line_of(const YAML::Node& node) {
+  return node.Mark().line + 1;
+}
+
+/// Text without HTML tags and line breaks.
+std::string plain_text(const std::string& html) {
+  std::string text;
+  for (std::size_t i = 0; i < html.size(); ++i) {
+    const bool tag = html[i] == '<' && i + 1 < html.size() &&
+                     (html[i + 1] == '/' || std::isalpha(static_cast<unsigned char>(html[i + 1])));
+    const auto close = tag ? html.find('>', i) : html.npos;
+    if (close != html.npos) {
+      i = close;
+    } else if (!std::isspace(static_cast<unsigned char>(html[i]))) {
+      text += html[i];
+    } else if (!text.empty() && text.back() != ' ') {
+      text += ' ';
+    }
+  }
+  if (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+/// Reads the entries of DATA, one after the other, into n and k.
+class DataReader {
+ public:
+  explicit DataReader(const fs::path& file) : file_(file) {}
+
+  void read(const YAML::Node& entry) {
+    if (!entry.IsMap())
+      throw malformed(file_, line_of(entry), "expected an entry with the keys 'type' and 'data'");
+    const YAML::Node type = scalar(entry, "type");
+    const auto words = split_words(type.Scalar());
+    if (words.size() == 2 && words[0] == "tabulated") {
+      if (words[1] == "nk") return read_table(entry, {&n_, &k_});
+      if (words[1] == "n") return read_table(entry, {&n_});
+      if (words[1] == "k") return read_table(entry, {&k_});
+      if (words[1] == "n2") return;  // the nonlinear index: of no use here, and no harm
+    }
+    if (words.size() == 2 && words[0] == "formula" && words[1].size() == 1 &&
+        most_coefficients(words[1][0] - '0')) {
+      return read_formula(entry, words[1][0] - '0');
+    }
+    throw malformed(file_, line_of(type),
+                    "unknown type '" + type.Scalar() + "', expected tabulated nk, n or k, or formula 1 to 9");
+  }
+
+  std::optional<OpticalConstant> n() const { return n_; }
+  std::optional<OpticalConstant> k() const { return k_; }
+
+ private:
+  YAML::Node scalar(const YAML::Node& entry, const std::string& key) const {
+    const YAML::Node value = entry[key];
+    if (!value) throw malformed(file_, line_of(entry), "the entry has no '" + key + "'");
+    if (!value.IsScalar()) throw malformed(file_, line_of(value), "'" + key + "' is not a single text");
+    return value;
+  }
+
+  void set(std::optional<OpticalConstant>& constant, OpticalConstant value) const {
+    if (constant) {
+      throw malformed(file_, value.line,
+                      std::string(&constant == &n_ ? "n" : "k") + " was already given by the entry on line " +
+                          std::to_string(constant->line));
+    }
+    constant = std::move(value);
+  }
+
+  /// \param columns   what the columns after that of the wavelength hold
+  void read_table(const YAML::Node& entry, const std::vector<std::optional<OpticalConstant>*>& columns) {
+    const YAML::Node data = scalar(entry, "data");
+    // yaml-cpp marks a block ("|") where its indicator stands, the line above its content; such texts carry
+    // the tag "!".
+    const int first_line = line_of(data) + (data.Tag() == "!" ? 1 : 0);
+    const auto rows = parse_rows(data.Scalar(), 1 + columns.size(), file_, first_line);
+    if (rows.empty()) throw malformed(file_, line_of(data), "the table is empty");
+    for (const NumberRow& row : rows) {
+      if (row.values[0] <= 0) throw malformed(file_, row.line, "the wavelength is not above 0");
+    }
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      std::vector<LinearTable::Sample> samples;
+      std::transform(rows.begin(), rows.end(), std::back_inserter(samples), [column](const NumberRow& row) {
+        return LinearTable::Sample{row.values[0], row.values[column + 1]};
+      });
+      const LinearTable table(std::move(samples));
+      set(*columns[column], {[table](double wavelength_um) { return table.at(wavelength_um); },
+                             {table.min_x(), table.max_x()},
+                             line_of(entry)});
+    }
+  }
+
+  void read_formula(const YAML::Node& entry, int formula) {
+    const YAML::Node coefficient_text = scalar(entry, "coefficients");
+    const auto coefficients = parse_numbers(coefficient_text.Scalar(), file_, line_of(coefficient_text));
+    const std::size_t most = *most_coefficients(formula);
+    if (coefficients.empty() || coefficients.size() > most) {
+      throw malformed(file_, line_of(coefficient_text),
+                      "formula " + std::to_string(formula) + " takes 1 to " + std::to_string(most) +
+                          " coefficients, found " + std::to_string(coefficients.size()));
+    }
+    const YAML::Node range_text = scalar(entry, entry["range"] ? "range" : "wavelength_range");
+    const auto range = parse_numbers(range_text.Scalar(), file_, line_of(range_text));
+    if (range.size() != 2 || !(0 < range[0] && range[0] <= range[1])) {
+      throw malformed(file_, line_of(range_text),
+                      "'" + range_text.Scalar() + "' is not a range of two increasing wavelengths above 0");
+    }
+    set(n_, {[formula, coefficients](double wavelength_um) {
+               return index_from_formula(formula, coefficients, wavelength_um);
+             },
+             {range[0], range[1]},
+             line_of(entry)});
+  }
+
+  const fs::path& file_;
+  std::optional<OpticalConstant> n_;
+  std::optional<OpticalConstant> k_;
+};
+
+Material read_document(const YAML::Node& root, const fs::path& file, std::string name) {
+  if (!root.IsMap() || !root["DATA"])
+    throw malformed(file, 1, "not a file of refractiveindex.info: there is no key DATA");
+  const auto text_at = [&root](const char* key) {
+    return root[key] && root[key].IsScalar() ? plain_text(root[key].Scalar()) : std::string();
+  };
+
+  const YAML::Node data = root["DATA"];
+  DataReader reader(file);
+  if (data.IsSequence()) {
+    for (const YAML::Node& entry : data) reader.read(entry);
+  } else {
+    reader.read(data);
+  }
+  if (!reader.n()) {
+    throw malformed(file, line_of(data),
+                    reader.k() ? "k is given but n is not" : "DATA gives no refractive index n");
+  }
+  return Material({.name = std::move(name),
+                   .file = file,
+                   .reference = text_at("REFERENCES"),
+                   .comments = text_at("COMMENTS"),
+                   .n = *reader.n(),
+                   .k = reader.k()});
+}
+
+}  // namespace
+
+Material read_refractiveindex_info(const fs::path& file, std::string name) {
+  const std::string text = read_text(file);
+  try {
+    const YAML::Node root = YAML::Load(text);
+    return read_document(root, file, std::move(name));
+  } catch (const YAML::Exception& error) {
+    throw malformed(file, error.mark.line + 1, error.msg);
+  }
+}
+
+}  // namespace vcavity::tools

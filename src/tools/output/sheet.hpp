@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// A page of disc maps: hemispheres side by side, with labels, a colour bar and where the numbers come from.
+///
+/// A disc is the Lambert azimuthal equal-area projection of the hemisphere,
+/// (u, v) = 2 sin(θ/2) (cos φ, sin φ), so u (to the right) crosses the groove and v (upwards) runs along it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/output/atomic_file.hpp"
+#include "tools/output/colour_map.hpp"
+
+namespace vcavity::tools {
+
+/// A hemisphere as a square picture that the disc just fills; pixels outside the disc are transparent.
+struct DiscMap {
+  std::string label;
+  int size = 0;               ///< pixels along one side
+  std::vector<Rgba8> pixels;  ///< size × size, row by row from the top
+};
+
+/// What the colours of a sheet mean.
+struct ColourBar {
+  ColourMap map = ColourMap::viridis;
+  double low = 0;   ///< value of the first colour
+  double high = 1;  ///< value of the last colour
+  std::string label;
+};
+
+/// Lines of equal θ and φ over each disc.
+enum class AngleGrid { hidden, shown };
+
+/// A page of disc maps.
+struct Sheet {
+  std::string title;
+  std::vector<std::string> subtitle;  ///< one paragraph each
+  std::vector<DiscMap> discs;
+  std::optional<ColourBar> colour_bar;
+  AngleGrid grid = AngleGrid::hidden;
+  std::string footnote;
+  int columns = 0;      ///< discs in a row; 0 chooses
+  double width = 1200;  ///< of the page in CSS pixels; the height follows
+  double scale = 1;     ///< pixels of a PNG for each CSS pixel
+};
+
+/// Draws a sheet as PNG or SVG, by the extension of the target. The caller commits the file.
+/// Throws std::invalid_argument for a sheet without discs, a disc whose pixels are not size × size, or
+/// another extension.
+void write_sheet(AtomicFile& file, const Sheet& sheet);
+
+}  // namespace vcavity::tools
