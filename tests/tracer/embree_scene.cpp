@@ -14,42 +14,24 @@
 namespace tracer {
 namespace {
 
-// The query context, renamed in Embree 4, followed by what our filter needs to know.
+void intersect(RTCScene scene, RTCRayHit& ray) {
 #if RTC_VERSION_MAJOR >= 4
-struct Query : RTCRayQueryContext {
-  unsigned left;
-};
+  rtcIntersect1(scene, &ray);
 #else
-struct Query : RTCIntersectContext {
-  unsigned left;
-};
-#endif
-
-void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
-#if RTC_VERSION_MAJOR >= 4
-  rtcInitRayQueryContext(&query);
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.context = &query;
-  rtcIntersect1(scene, &ray, &arguments);
-#else
-  rtcInitIntersectContext(&query);
-  rtcIntersect1(scene, &query, &ray);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &ray);
 #endif
 }
 
-// Rejects the panel that the ray has just left, and panels met from below, which are inside the solid: under
-// a narrow peak they lie so close behind the upper side that single precision confuses the two. A filter that
-// belongs to the geometry works alike in both versions of Embree and needs no scene flag.
-void reject_impossible_hits(const RTCFilterFunctionNArguments* candidate) {
+// A filter that belongs to the geometry works alike in both versions of Embree and needs no scene flag.
+void reject_lower_side(const RTCFilterFunctionNArguments* candidate) {
   RTCRayN* ray = candidate->ray;
   RTCHitN* hit = candidate->hit;
   const unsigned n = candidate->N;
   const float normal_y = RTCHitN_Ng_y(hit, n, 0), normal_z = RTCHitN_Ng_z(hit, n, 0);
   const float rise = RTCRayN_dir_y(ray, n, 0) * normal_y + RTCRayN_dir_z(ray, n, 0) * normal_z;
-  const bool from_below = normal_z > 0 ? rise > 0 : rise < 0;
-  const bool just_left = RTCHitN_primID(hit, n, 0) == static_cast<const Query*>(candidate->context)->left;
-  if (from_below || just_left) candidate->valid[0] = 0;
+  if (normal_z > 0 ? rise > 0 : rise < 0) candidate->valid[0] = 0;
 }
 
 void check(RTCDevice device) {
@@ -77,7 +59,7 @@ RTCGeometry make_quads(RTCDevice device, const Relief& relief) {
     // Neighbours share their vertices, so that no ray slips through between them.
     for (const unsigned corner : {0U, 1U, 3U, 2U}) *index++ = 2 * panel + corner;
   }
-  rtcSetGeometryIntersectFilterFunction(quads, reject_impossible_hits);
+  rtcSetGeometryIntersectFilterFunction(quads, reject_lower_side);
   rtcCommitGeometry(quads);
   return quads;
 }
@@ -100,8 +82,7 @@ EmbreeScene::EmbreeScene(const Relief& relief) {
   check(device);
 }
 
-std::optional<int> EmbreeScene::first_panel(glm::dvec3 origin, glm::dvec3 direction,
-                                            std::optional<int> left) const {
+std::optional<int> EmbreeScene::first_panel(glm::dvec3 origin, glm::dvec3 direction) const {
   RTCRayHit ray{};
   ray.ray.org_x = static_cast<float>(origin.x);
   ray.ray.org_y = static_cast<float>(origin.y);
@@ -113,9 +94,7 @@ std::optional<int> EmbreeScene::first_panel(glm::dvec3 origin, glm::dvec3 direct
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 
-  Query query;
-  query.left = left ? static_cast<unsigned>(*left) : RTC_INVALID_GEOMETRY_ID;
-  intersect(static_cast<RTCScene>(scene_.get()), query, ray);
+  intersect(static_cast<RTCScene>(scene_.get()), ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return static_cast<int>(ray.hit.primID);
 }

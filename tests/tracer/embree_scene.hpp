@@ -18,13 +18,12 @@ class EmbreeScene {
   /// @throws std::runtime_error if Embree reports an error
   explicit EmbreeScene(const Relief& relief);
 
-  /// @param origin, direction  of the ray, in panel widths; the direction need not have unit length
-  /// @param left               the panel that the ray has just left, which a flat panel cannot let it meet
-  /// again; skipping
-  ///                           it replaces the usual offset along the ray, which breaks paths close to an
-  ///                           apex
+  /// Only the upper sides of the panels are met. So a ray cannot meet the panel that it has just left,
+  /// without the usual offset along the ray, which breaks paths close to an apex; nor the far side of a
+  /// narrow peak, which lies so close behind the near one that single precision confuses the two.
+  /// @param origin, direction  of the ray, in panel widths
   /// @return the index of the first panel on the ray, or nothing if the ray is free
-  std::optional<int> first_panel(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const;
+  std::optional<int> first_panel(glm::dvec3 origin, glm::dvec3 direction) const;
 
  private:
   std::shared_ptr<void> scene_;  // an RTCScene, released with its last copy

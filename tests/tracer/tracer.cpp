@@ -46,13 +46,12 @@ double Tracer::distance_to(int panel, glm::dvec3 origin, glm::dvec3 direction) c
   return glm::dot(corner - origin, normals_[p]) / glm::dot(direction, normals_[p]);
 }
 
-std::optional<int> Tracer::search_all_panels(glm::dvec3 origin, glm::dvec3 direction,
-                                             std::optional<int> left) const {
+std::optional<int> Tracer::search_all_panels(glm::dvec3 origin, glm::dvec3 direction) const {
   std::optional<int> first;
   double nearest = infinity;
   for (int panel = 0; panel < relief_.panels(); ++panel) {
     const auto p = static_cast<std::size_t>(panel);
-    if (panel == left || glm::dot(direction, normals_[p]) >= 0) continue;
+    if (glm::dot(direction, normals_[p]) >= 0) continue;
     const double distance = distance_to(panel, origin, direction);
     const glm::dvec3 point = origin + distance * direction;
     const bool is_on_panel = relief_.profile[p].x <= point.y && point.y <= relief_.profile[p + 1].x &&
@@ -82,19 +81,18 @@ Tracer::Segment Tracer::segment_to(std::optional<int> panel, glm::dvec3 origin, 
   return segment;
 }
 
-Tracer::Segment Tracer::next_segment(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const {
-  const Segment segment = segment_to(scene_.first_panel(origin, direction, left), origin, direction);
+Tracer::Segment Tracer::next_segment(glm::dvec3 origin, glm::dvec3 direction) const {
+  const Segment segment = segment_to(scene_.first_panel(origin, direction), origin, direction);
   if (segment.clearance > doubtful) return segment;
-  Segment refined = segment_to(search_all_panels(origin, direction, left), origin, direction);
+  Segment refined = segment_to(search_all_panels(origin, direction), origin, direction);
   refined.refined = true;
   return refined;
 }
 
 Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
   Path path{{}, direction, origin, Ending::missed, infinity};
-  std::optional<int> left;
   for (;;) {
-    const Segment segment = next_segment(origin, direction, left);
+    const Segment segment = next_segment(origin, direction);
     path.clearance = std::min(path.clearance, segment.clearance);
     path.refined = path.refined || segment.refined;
     if (!segment.panel || path.bounces.size() == trapped_after) break;
@@ -103,7 +101,6 @@ Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
     path.bounces.push_back({*segment.panel, -approach});
     origin += segment.distance * direction;
     direction -= 2 * approach * normal;
-    left = segment.panel;
   }
   path.direction = direction;
   path.top = origin + (relief_.top() - origin.z) / direction.z * direction;

@@ -69,9 +69,8 @@ class Tracer {
   };
 
   Segment segment_to(std::optional<int> panel, glm::dvec3 origin, glm::dvec3 direction) const;
-  Segment next_segment(glm::dvec3 origin, glm::dvec3 direction, std::optional<int> left) const;
-  std::optional<int> search_all_panels(glm::dvec3 origin, glm::dvec3 direction,
-                                       std::optional<int> left) const;
+  Segment next_segment(glm::dvec3 origin, glm::dvec3 direction) const;
+  std::optional<int> search_all_panels(glm::dvec3 origin, glm::dvec3 direction) const;
   double distance_to(int panel, glm::dvec3 origin, glm::dvec3 direction) const;
 
   Relief relief_;
