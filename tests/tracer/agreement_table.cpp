@@ -19,12 +19,12 @@ namespace {
 using namespace agreement;
 
 // Fewer rays leave more to chance than the difference allowed between the means; more need too much memory.
-constexpr double fewest_rays = 1e5;
+constexpr double fewest_rays = 2e5;
 constexpr double most_rays = 1e8;
 
 constexpr const char* usage =
     "Usage: vcavity_agreement [RAYS]\n"
-    "Traces RAYS rays of diffuse light (1e5 to 1e8, default 1e6) across grooves of each aperture, compares "
+    "Traces RAYS rays of diffuse light (2e5 to 1e8, default 1e6) across grooves of each aperture, compares "
     "every ray and "
     "the mean\n"
     "with the closed form of vcavity, and prints a Markdown table.\n"
@@ -133,7 +133,7 @@ double parse_rays(const std::string& text) {
     end = 0;
   }
   if (end == 0 || end != text.size() || !(rays >= fewest_rays && rays <= most_rays))
-    throw std::invalid_argument("RAYS is '" + text + "', expected a number from 1e5 to 1e8");
+    throw std::invalid_argument("RAYS is '" + text + "', expected a number from 2e5 to 1e8");
   return rays;
 }
 

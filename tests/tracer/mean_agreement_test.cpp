@@ -14,6 +14,10 @@ namespace {
 void check_all(const std::vector<MeanComparison>& comparisons) {
   REQUIRE_FALSE(comparisons.empty());
   const double allowed = allowed_sigmas(static_cast<int>(comparisons.size()));
+  for (const MeanComparison& comparison : comparisons) {
+    INFO(comparison.what << ": enough rays, so that chance alone does not exceed the tolerance");
+    CHECK(allowed * comparison.standard_error <= mean_tolerance);
+  }
   for (const MeanComparison& failed : failures(comparisons)) {
     FAIL_CHECK(failed.what << ": theory " << failed.theory << ", traced " << failed.traced << " +- "
                            << failed.standard_error << ", " << failed.sigmas() << " sigma apart, " << allowed

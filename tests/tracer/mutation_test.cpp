@@ -21,7 +21,7 @@ TEST_CASE("the check of single rays rejects every wrong theory") {
 }
 
 TEST_CASE("the check of directional reflectances rejects every wrong theory") {
-  const auto traced = trace_directions(radians(45), 16384, 2);
+  const auto traced = trace_directions(radians(45), 65536, 2);
   CHECK(failures(compare(closed_form_directional, traced)).empty());
   for (const auto& [error, theory] : directional_mutants()) {
     INFO(error);
@@ -35,7 +35,7 @@ TEST_CASE("the check of diffuse light rejects every wrong theory") {
     quantities.push_back({material});
     quantities.push_back({material, 2});
   }
-  const auto traced = trace_hemisphere(radians(60), quantities, 1 << 17, 3);
+  const auto traced = trace_hemisphere(radians(60), quantities, 1 << 20, 3);
   CHECK(failures(compare(closed_form_hemispherical, traced)).empty());
   for (const auto& [error, theory] : hemispherical_mutants()) {
     INFO(error);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace agreement {
 
@@ -13,8 +14,8 @@ ShiftedLattice::ShiftedLattice(std::uint64_t seed, int replicate) {
 }
 
 std::array<double, 3> ShiftedLattice::operator[](int i) const {
-  constexpr double root = 1.22074408460575947536;
-  constexpr std::array step{1 / root, 1 / (root * root), 1 / (root * root * root)};
+  constexpr std::array step{std::numbers::sqrt2, std::numbers::sqrt3,
+                            2 * std::numbers::phi};  // 2 phi = 1 + sqrt 5
   std::array<double, 3> point;
   for (std::size_t k = 0; k < point.size(); ++k) {
     const double x = shift_[k] + i * step[k];

@@ -29,8 +29,8 @@ class Uniform {
 /// here.
 inline constexpr int replicates = 1024;
 
-/// Points in the unit cube with a random shift: the additive recurrence on the powers of the root of x^4 = x
-/// + 1.
+/// Points in the unit cube: fractional parts of the multiples of the roots of 2, 3 and 5 (Weyl), with a
+/// random shift.
 class ShiftedLattice {
  public:
   /// @param seed, replicate  determine the shift
