@@ -108,6 +108,20 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
       help);
 }
 
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&file, name](const std::string& word) {
+            if (!word.ends_with(".png") && !word.ends_with(".svg"))
+              throw unexpected(name, word, "the name of a .png or .svg file");
+            file = word;
+          },
+          help + "; PNG or SVG")
+      ->type_name("FILE");
+}
+
 void add_format(CLI::App& command, Format& format) {
   static const std::map<std::string, Format> names{
       {"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}};

@@ -52,6 +52,10 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, std::optiona
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help);
 
+/// Adds an option with the name of a picture to write; what the help says about it ends in its two formats.
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help);
+
 /// How a command prints its results.
 enum class Format { md, csv, json };
 
