@@ -16,7 +16,7 @@ namespace vcavity::tools {
 namespace {
 
 struct MaterialsOptions {
-  std::string material;  // empty: all of the collection
+  std::optional<std::string> material;  // all of the collection unless given
   std::optional<double> wavelength_nm;
   std::string plot;  // empty: none
   Format format = Format::md;
@@ -93,11 +93,11 @@ void print_table(const Material& material, std::optional<double> wavelength_nm, 
 }
 
 void run_materials(const MaterialsOptions& options) {
-  if (options.material.empty()) {
+  if (!options.material) {
     list_collection(options.format);
     return;
   }
-  const Material material = load_material(options.material);
+  const Material material = load_material(*options.material);
   std::optional<AtomicFile> picture;
   if (!options.plot.empty()) {
     picture.emplace(options.plot);
