@@ -40,12 +40,11 @@ class Mueller {
     const Complex<Value> to_a = j.aa * conj(j.ab), to_b = j.ba * conj(j.bb);
     const Complex<Value> from_a = j.aa * conj(j.ba), from_b = j.ab * conj(j.bb);
     const Complex<Value> straight = j.aa * conj(j.bb), crossed = j.ab * conj(j.ba);
-    rows_ = {{{half * (aa + ab + ba + bb), half * (aa - ab + ba - bb), to_a.re + to_b.re, -to_a.im - to_b.im},
-              {half * (aa + ab - ba - bb), half * (aa - ab - ba + bb), to_a.re - to_b.re, to_b.im - to_a.im},
-              {from_a.re + from_b.re, from_a.re - from_b.re, straight.re + crossed.re,
-               crossed.im - straight.im},
-              {from_a.im + from_b.im, from_a.im - from_b.im, straight.im + crossed.im,
-               straight.re - crossed.re}}};
+    rows_ = {
+        {{half * (aa + ab + ba + bb), half * (aa - ab + ba - bb), to_a.re + to_b.re, -to_a.im - to_b.im},
+         {half * (aa + ab - ba - bb), half * (aa - ab - ba + bb), to_a.re - to_b.re, to_b.im - to_a.im},
+         {from_a.re + from_b.re, from_a.re - from_b.re, straight.re + crossed.re, crossed.im - straight.im},
+         {from_a.im + from_b.im, from_a.im - from_b.im, straight.im + crossed.im, straight.re - crossed.re}}};
   }
 
   /// An element; 0, 1, 2, 3 stand for I, Q, U, V.

@@ -5,8 +5,8 @@
 /// where a facet reflectance is expected.
 ///
 ///  - A facet by itself reflects unpolarised light at every bounce, as in the paper (Eq. 17).
-///  - `separately_polarized(facet)` follows s and p light on their own, ½(Π|r_s|² + Π|r_p|²), as if all planes
-///  of incidence were parallel. Right only for light that travels across the groove.
+///  - `separately_polarized(facet)` follows s and p light on their own, ½(Π|r_s|² + Π|r_p|²), as if all
+///  planes of incidence were parallel. Right only for light that travels across the groove.
 ///  - `polarized(facet)` follows the field: exact.
 ///
 /// Method of the exact model. Let c and d be the components of the direction e along the normal of the panel
@@ -69,6 +69,14 @@ Value unpolarized(const SeparatePolarizations<Value>& reflectance) {
   return scalar_t<Value>(0.5) * (reflectance.s + reflectance.p);
 }
 
+/// How much the reflectance depends on the polarisation of the incident light, (max − min)/(max + min) in
+/// [0, 1]; 0 where no light leaves.
+template <class Value>
+Value diattenuation(const SeparatePolarizations<Value>& r) {
+  const Value none(0);
+  return degree_of_polarization(Stokes<Value>{r.s + r.p, r.s - r.p, none, none});
+}
+
 /// Facet reflectance for s and p light on their own.
 template <class Facet>
 class SeparatelyPolarized {
@@ -118,8 +126,7 @@ class Polarized {
         bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
     const Real length2 = p_a * p_a + p_b * p_b;
     const Complex<Value> none{Value(0), Value(0)};
-    if (!(length2 >= std::numeric_limits<Real>::min()))
-      return {facet.r_s, none, none, none - facet.r_s};
+    if (!(length2 >= std::numeric_limits<Real>::min())) return {facet.r_s, none, none, none - facet.r_s};
     const Complex<Value> difference = facet.r_p - facet.r_s;
     const auto part = [&difference, inverse = Real(1) / length2](const Real& product) {
       return Value(static_cast<Scalar>(product * inverse)) * difference;

@@ -120,7 +120,8 @@ TEST_CASE("Stokes parameters leave a groove as fields traced in three dimensions
     const Scene scene = random_scene(random);
     const Vec3<double> a = polarization_axis(-scene.e);
     const Vec3<double> b = glm::cross(-scene.e, a);
-    const Wave light{-scene.e, along(a, {unit(random), unit(random)}) + along(b, {unit(random), unit(random)})};
+    const Wave light{-scene.e,
+                     along(a, {unit(random), unit(random)}) + along(b, {unit(random), unit(random)})};
     const double position = unit(random);
     int bounces = 0;
     const Wave expected = traced(scene.cavity, light, position, scene.index, bounces);
@@ -131,8 +132,7 @@ TEST_CASE("Stokes parameters leave a groove as fields traced in three dimensions
       continue;
     }
     const Stokes<double> out = stokes(expected);
-    const Stokes<double> actual =
-        ray_reflectance(scene.cavity, scene.e, path, scene.facet()) * stokes(light);
+    const Stokes<double> actual = ray_reflectance(scene.cavity, scene.e, path, scene.facet()) * stokes(light);
     CAPTURE(scene.cavity.aperture(), scene.e.x, scene.e.y, scene.e.z, scene.index, bounces);
     for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(actual[i] - out[i]) <= 1e-11 * out[0] + 1e-300);
     if (bounces > 3) ++long_ways;
@@ -187,8 +187,8 @@ TEST_CASE("unpolarised light keeps its first bounce, whatever the model") {
     const double expected = directional_reflectance(scene.cavity, scene.e, scene.metal(), 1);
     CHECK(unpolarized(directional_reflectance(scene.cavity, scene.e, scene.facet(), 1)) ==
           Approx(expected).epsilon(1e-12));
-    CHECK(unpolarized(directional_reflectance(scene.cavity, scene.e, separately_polarized(scene.metal()), 1)) ==
-          Approx(expected).epsilon(1e-12));
+    CHECK(unpolarized(directional_reflectance(scene.cavity, scene.e, separately_polarized(scene.metal()),
+                                              1)) == Approx(expected).epsilon(1e-12));
   }
 }
 
@@ -283,5 +283,6 @@ TEST_CASE("models of polarisation differ where they should: glass at 60 degrees"
   const Cavity<double> cavity(radians(60.0));
   const Dielectric<double> glass(1.5);
   CHECK(std::abs(bihemispherical_reflectance(cavity, glass, 1e-13).value - 0.017584127901) < 1e-12);
-  CHECK(std::abs(bihemispherical_reflectance(cavity, polarized(glass), 1e-13).value - 0.016577458838) < 1e-12);
+  CHECK(std::abs(bihemispherical_reflectance(cavity, polarized(glass), 1e-13).value - 0.016577458838) <
+        1e-12);
 }
