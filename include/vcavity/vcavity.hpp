@@ -19,6 +19,10 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
+// Light as a transverse wave: the same with polarisation.
+#include "jones.hpp"
+#include "mueller.hpp"
+#include "polarization.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"

@@ -72,7 +72,8 @@ TEST_CASE("unknown words are refused with what was expected") {
        {"--verison", "unknown option '--verison'; did you mean '--version'?"},
        {"paper now", "The following argument was not expected: now"},
        {"map --out a.exr --aperture 45", "--material is required"},
-       {a_map + "--quantity gloss", "--quantity: 'gloss' is not accepted, expected reflectance or bounces"},
+       {a_map + "--quantity gloss",
+        "--quantity: 'gloss' is not accepted, expected reflectance, bounces, dop or absorptance"},
        {"materials --format xml", "--format: 'xml' is not accepted, expected md, csv or json"},
        {"materials --wavelength 550", "--wavelength requires M"},
        {"materials Cu --plot Cu.jpg",
@@ -83,7 +84,7 @@ TEST_CASE("requests that contradict themselves are refused") {
   check_usage_errors(
       {{a_map + "--wavelengths 400:700:10 --wavelength 550", "--wavelength excludes --wavelengths"},
        {a_map + "--quantity bounces --max-bounces 3",
-        "--max-bounces: limits the reflectance, not the count of --quantity bounces"},
+        "--max-bounces: limits the reflectance, not --quantity bounces or absorptance"},
        {a_map + "--wavelengths 400:400:10",
         "--wavelengths: '400:400:10' is a single wavelength, for which there is --wavelength"},
        {"materials 1.5 --plot a.png", "--plot: index '1.5' is the same at every wavelength"}});

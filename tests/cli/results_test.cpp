@@ -130,14 +130,15 @@ TEST_CASE("CSV starts with its provenance and repeats the numbers of JSON") {
   CHECK(lines[1] == "# command: vcavity_maps " + line + " --format csv");
   CHECK(lines[2] == "# material: index 1.5");
   CHECK(lines[3] ==
-        "aperture_deg,wavelength_nm,n,k,max_bounces,reflectance,error_estimate,fresnel_evaluations");
+        "aperture_deg,wavelength_nm,n,k,polarization,max_bounces,reflectance,error_estimate,fresnel_"
+        "evaluations");
   for (std::size_t i = 0; i < 2; ++i) {
     std::vector<std::string> cells;
     std::istringstream stream(lines[4 + i]);
     for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    REQUIRE(cells.size() == 8);
-    CHECK(std::stod(cells[5]) == rows[i]["reflectance"].get<double>());
-    CHECK(cells[4] == "all");
+    REQUIRE(cells.size() == 9);
+    CHECK(std::stod(cells[6]) == rows[i]["reflectance"].get<double>());
+    CHECK(cells[5] == "all");
   }
 }
 
@@ -150,8 +151,8 @@ TEST_CASE("Markdown shows no digit that the error estimate does not vouch for") 
   std::istringstream stream(lines[4]);
   for (std::string cell; std::getline(stream, cell, '|');)
     cells.push_back(words(cell).empty() ? "" : words(cell)[0]);
-  const double error = std::stod(cells.at(7));
-  const auto decimals = static_cast<double>(cells.at(6).size() - 2);  // behind "0."
+  const double error = std::stod(cells.at(8));
+  const auto decimals = static_cast<double>(cells.at(7).size() - 2);  // behind "0."
   CHECK(std::pow(10, -decimals) >= error);
 }
 
