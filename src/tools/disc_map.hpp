@@ -54,6 +54,9 @@ class DiscMapper {
   const MapRequest& request() const { return request_; }
   const std::vector<std::string>& channels() const { return channels_; }
 
+  /// Whether there are channels R, G, B.
+  bool coloured() const { return weights_.has_value(); }
+
   /// What the image says about itself.
   ExrAttributes attributes() const;
 

@@ -7,6 +7,7 @@
 #include "tools/commands/options.hpp"
 #include "tools/disc_map.hpp"
 #include "tools/error.hpp"
+#include "tools/map_picture.hpp"
 #include "tools/materials/catalogue.hpp"
 
 namespace vcavity::tools {
@@ -22,22 +23,38 @@ struct MapOptions {
   Polarization polarization = Polarization::none;
   int most_bounces = all_bounces;
   std::string out;
+  std::string picture;
+  PictureStyle style;
 };
 
 void run_map(const MapOptions& options) {
   if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
       options.most_bounces != all_bounces)
     throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
+  if (options.out.empty() && options.picture.empty()) throw UsageError("--out or --png is required");
   std::vector<double> wavelengths_nm = options.wavelengths_nm;
   if (wavelengths_nm.empty()) wavelengths_nm.push_back(options.wavelength_nm.value_or(default_wavelength_nm));
 
-  const DiscMapper mapper({load_material(options.material), options.aperture_deg, wavelengths_nm,
-                           options.size, options.most_bounces, options.quantity, Spectrum::written,
-                           options.polarization});
-  AtomicFile file(options.out);
-  Progress progress(static_cast<std::uint64_t>(options.size));
-  write_map(file, mapper, progress);
-  file.commit();
+  const MapRequest request{load_material(options.material),
+                           options.aperture_deg,
+                           wavelengths_nm,
+                           options.size,
+                           options.most_bounces,
+                           options.quantity,
+                           Spectrum::written,
+                           options.polarization};
+  Progress progress(static_cast<std::uint64_t>(options.size + picture_size));
+  if (!options.picture.empty()) {
+    AtomicFile file(options.picture);
+    write_sheet(file, map_sheet({request}, options.style, progress));
+    file.commit();
+  }
+  if (!options.out.empty()) {
+    const DiscMapper mapper(request);
+    AtomicFile file(options.out);
+    write_map(file, mapper, progress);
+    file.commit();
+  }
 }
 
 }  // namespace
@@ -77,7 +94,18 @@ void add_map_command(CLI::App& program) {
       ->type_name("QUANTITY");
   add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
-  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
+  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr");
+  CLI::Option* picture = add_picture(*command, "--png", options->picture, "a page for people");
+  command
+      ->add_flag_callback(
+          "--false-color", [options] { options->style.tone = PictureStyle::Tone::false_colour; },
+          "the picture shows numbers in a perceptually uniform colour map, not what the eye would see")
+      ->needs(picture);
+  command
+      ->add_flag_callback(
+          "--contours", [options] { options->style.contours = PictureStyle::Contours::shown; },
+          "the picture has lines where the number of bounces changes")
+      ->needs(picture);
   command->callback([options] { run_map(*options); });
 }
 
