@@ -26,6 +26,19 @@ enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
 
+/// How the spectrum of a map becomes a colour.
+struct Viewing {
+  std::string light = "D65";  ///< see load_light()
+  Observer observer = Observer::cie_1931_2deg;
+  RgbSpace rgb = RgbSpace::srgb;
+};
+
+/// How the numbers of a map are stored.
+struct Storage {
+  ExrNumber number = ExrNumber::float32;
+  ExrCompression compression = ExrCompression::piz;
+};
+
 /// A map to be computed.
 struct MapRequest {
   Material material;
@@ -36,12 +49,13 @@ struct MapRequest {
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
   Polarization polarization = Polarization::none;
+  Viewing viewing = {};
 };
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
-/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
-/// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
+/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear RGB of the
+/// spectrum, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
 /// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
 /// the reflectance, but have no colour.
@@ -77,13 +91,16 @@ class DiscMapper {
   std::vector<std::string> channels_;
 };
 
-/// Number of rows that are computed and written together.
-inline constexpr int map_block_rows = 64;
+/// Rows that OpenEXR compresses together at most.
+inline constexpr int chunk_rows = 32;
 
 /// Computes a whole map in memory, advancing `progress` by the number of its rows.
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
 
 /// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
-void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress);
+/// \param chunks   how many times chunk_rows are computed and held at a time; see set_exr_threads() for how
+///                 many of them are compressed at a time
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress);
 
 }  // namespace vcavity::tools

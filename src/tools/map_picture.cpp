@@ -233,6 +233,7 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
   for (MapRequest& request : requests) {
     request.size = picture_size;
     request.spectrum = Spectrum::colour_only;
+    request.viewing.rgb = RgbSpace::srgb;
     const DiscMapper mapper(request);
     if (spectral && !mapper.coloured())
       throw UsageError("a picture needs the reflectance at visible wavelengths, or a single --wavelength");

@@ -3,6 +3,7 @@
 
 /// Maps as pictures for people: discs and pages of them.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct PictureStyle {
 
 /// Pixels along one side of a disc that is drawn from a map; a page has no room for more.
 inline constexpr int picture_size = 640;
+
+/// As many discs as can still be told apart on a page.
+inline constexpr std::size_t most_discs = 24;
 
 /// Computes maps and lays them out on a page with one scale: what they have in common stands in the title and
 /// what distinguishes them above each.

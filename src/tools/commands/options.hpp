@@ -52,6 +52,10 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, double& valu
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const Interval& interval, const std::string& help);
 
+/// Adds an option with a list of numbers in an interval, see checked_numbers(), that replaces `values`.
+CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
+                         const Interval& interval, const std::string& help);
+
 /// Adds an option with a whole number in [low, high].
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help);
@@ -92,6 +96,9 @@ void add_format(CLI::App& command, Format& format);
 
 /// Adds --material.
 void add_material(CLI::App& command, std::string& specification);
+
+/// Adds --material for one or several.
+void add_materials(CLI::App& command, std::vector<std::string>& specifications);
 
 /// Adds --polarization.
 void add_polarization(CLI::App& command, Polarization& model);
