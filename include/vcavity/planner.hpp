@@ -17,11 +17,13 @@
 ///
 /// When not to use it: for facets that depend on more than the angle of incidence.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "bihemispherical.hpp"
 #include "pack.hpp"
@@ -106,23 +108,44 @@ class TriedFacet {
   const Facet& facet_;
 };
 
-/// The largest errors over directions on a grid that is uniform in θ' and logarithmic in cos ψ, the scale on
-/// which reflectances change towards grazing; enlarged by a tenth for what lies between its points.
+/// Angles θ' for a search: the kinks of the weights, where these have their extremes, and some between them.
+inline std::vector<double> angles_across(const Cavity<double>& cavity) {
+  constexpr double step = 0.015;
+  constexpr std::size_t most_kinks = 256;
+  const std::vector<double> kinks = kinks_across(cavity, 0.0);
+  const std::size_t stride = 1 + kinks.size() / most_kinks;
+  std::vector<double> angles{kinks.back()};
+  for (std::size_t i = 0; i + 1 < kinks.size(); i += stride) {
+    const double width = kinks[std::min(i + stride, kinks.size() - 1)] - kinks[i];
+    const int pieces = 2 + static_cast<int>(width / step);
+    for (int j = 0; j < pieces; ++j) angles.push_back(kinks[i] + j * width / pieces);
+  }
+  return angles;
+}
+
+/// The largest errors over the directions of a grid, enlarged by a fifth for what lies between its points.
+/// Towards grazing reflectances change with the logarithm of cos ψ, and so does the grid.
 template <class Facet>
 Omissions worst_omissions(const Cavity<double>& cavity, const Facet& facet) {
-  constexpr int steps_across = 96;
-  constexpr int steps_along = 64;
-  constexpr double margin = 1.1;
+  constexpr int steps_along = 96;
+  constexpr int steps_grazing = 48;
+  constexpr double margin = 1.2;
   const TriedFacet<Facet> tried(facet);
+  const double half_pi = pi<double>() / 2;
   Omissions worst(0.0);
-  for (int i = 0; i < steps_across; ++i) {
-    const double theta = (i + 0.5) / steps_across * pi<double>() / 2;
-    for (int j = 0; j <= steps_along; ++j) {
-      const double cos_psi = std::exp(-12.0 * j / steps_along);
-      const Vec3<double> e{std::sqrt((1 - cos_psi) * (1 + cos_psi)), cos_psi * std::sin(theta),
-                           cos_psi * std::cos(theta)};
-      worst = Omissions::map([](double a, double b) { return a < margin * b ? margin * b : a; }, worst,
-                             directional_reflectance(cavity, e, tried));
+  const auto try_direction = [&](double theta, double sin_psi, double cos_psi) {
+    const Vec3<double> e{sin_psi, cos_psi * std::sin(theta), cos_psi * std::cos(theta)};
+    worst = Omissions::map([](double a, double b) { return a < margin * b ? margin * b : a; }, worst,
+                           directional_reflectance(cavity, e, tried));
+  };
+  for (const double theta : angles_across(cavity)) {
+    for (int j = 0; j < steps_along; ++j) {
+      const double psi = static_cast<double>(j) / steps_along * half_pi;
+      try_direction(theta, std::sin(psi), std::cos(psi));
+    }
+    for (int j = 0; j < steps_grazing; ++j) {
+      const double cos_psi = std::exp(-3 - 12.0 * j / steps_grazing);
+      try_direction(theta, std::sqrt((1 - cos_psi) * (1 + cos_psi)), cos_psi);
     }
   }
   return worst;

@@ -26,6 +26,9 @@ enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
 
+/// The numbers a map is computed with.
+enum class Precision { double_precision, single_precision };
+
 /// A map to be computed.
 struct MapRequest {
   Material material;
@@ -36,7 +39,11 @@ struct MapRequest {
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
   Polarization polarization = Polarization::none;
+  Precision precision = Precision::double_precision;
 };
+
+/// The direction that a pixel shows; nothing outside the disc.
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
@@ -57,18 +64,27 @@ class DiscMapper {
   /// What the image says about itself.
   ExrAttributes attributes() const;
 
+  /// The colour seen from a direction in diffuse light, and the white beside it. Only where there is a
+  /// channel `R`.
+  Xyz colour(const Vec3<double>& e) const;
+  const Xyz& white() const { return weights_->white(); }
+
   /// Computes `rows` rows from `first_row` on, on all cores.
   /// \return one plane of rows × size values for each channel
   std::vector<std::vector<float>> rows(int first_row, int rows) const;
 
  private:
-  template <class Facet>
-  value_t<Facet, double> quantity_of(const Facet& facet, const Vec3<double>& e) const;
-  void fill_spectrum(const Vec3<double>& e, std::vector<double>& spectrum) const;
+  template <class Real, class Facet>
+  value_t<Facet, Real> quantity_of(const Cavity<Real>& cavity, const Facet& facet,
+                                   const Vec3<double>& e) const;
+  template <class Real>
+  void fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e, std::vector<double>& spectrum) const;
+  const std::vector<double>& spectrum(const Vec3<double>& e) const;
   void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
 
   MapRequest request_;
   Cavity<double> cavity_;
+  Cavity<float> cavity_in_single_;
   std::vector<RefractiveIndex> indices_;
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;
