@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -56,6 +57,8 @@ DiscMapper::DiscMapper(MapRequest request)
     indices_.push_back(request_.material.at(wavelength_nm));
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
+  } else if (request_.environment) {
+    channels_ = {"R", "G", "B", "A"};
   } else if (indices_.size() == 1) {
     channels_ = {"Y", "A"};
   } else {
@@ -87,7 +90,12 @@ ExrAttributes DiscMapper::attributes() const {
   result["units"] = std::string("1");
   if (request_.quantity == Quantity::bounces) return result;
   result["polarization"] = std::string(name_of(request_.polarization));
-  if (indices_.size() > 1 && request_.spectrum == Spectrum::written) result.insert(spectral_layout_version());
+  if (request_.environment) {
+    result["quantity"] = std::string("radiance reflected from the environment");
+    result["units"] = std::string("those of the environment");
+  }
+  if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
+    result.insert(spectral_layout_version());
   if (weights_) {
     result["colour"] =
         std::string("linear sRGB of the spectrum under D65, CIE 1931 2 degree observer; unclipped");
@@ -152,6 +160,21 @@ Xyz DiscMapper::colour(const Vec3<double>& e) const {
   return weights_->colour(spectrum(e));
 }
 
+// A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
+// wide as its weight, and in it the environment behind the lobe.
+glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
+  const auto index = [&](std::size_t channel) { return indices_[std::min(channel, indices_.size() - 1)]; };
+  const Conductor<glm::dvec3> facet({index(0).n, index(1).n, index(2).n},
+                                    {index(0).k, index(1).k, index(2).k});
+  return with_polarization(request_.polarization, facet, [&](const auto& model) {
+    glm::dvec3 sum(0.0);
+    for (const auto& lobe : lobes(cavity_, e, model, request_.most_bounces))
+      sum +=
+          lobe.weight * unpolarized(power(lobe.throughput)) * request_.environment->radiance(lobe.direction);
+    return sum;
+  });
+}
+
 void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
   pixel.clear();
   const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
@@ -165,6 +188,11 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
       mean += lobe.weight * lobe.bounces;
     }
     for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
+    return;
+  }
+  if (request_.environment) {
+    const glm::dvec3 radiance = reflected_radiance(e);
+    for (const double value : {radiance.r, radiance.g, radiance.b, 1.0}) add(value);
     return;
   }
   const std::vector<double>& values = spectrum(e);
@@ -190,13 +218,17 @@ std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const 
   std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
   tbb::parallel_for(0, rows, [&](int row) {
     thread_local std::vector<float> pixel;
-    // The groove is its own mirror image: the left half of a row tells the right half.
-    for (int column = 0; column < (size + 1) / 2; ++column) {
+    // The groove is its own mirror image: the left half of a row tells the right half, under any light that
+    // is symmetric too.
+    const bool symmetric = !request_.environment;
+    for (int column = 0; column < (symmetric ? (size + 1) / 2 : size); ++column) {
       const auto e = pixel_direction(column, first_row + row, size);
       if (!e) continue;
       fill_pixel(*e, pixel);
-      for (std::size_t channel = 0; channel < planes.size(); ++channel)
-        planes[channel][at(row, column)] = planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      for (std::size_t channel = 0; channel < planes.size(); ++channel) {
+        planes[channel][at(row, column)] = pixel[channel];
+        if (symmetric) planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      }
     }
   });
   return planes;

@@ -7,12 +7,15 @@
 /// v = √2 (N − 1 − 2 row)/N: across the groove to the right, along it upwards. Pixels whose centre lies
 /// outside the disc hold 0 in all channels; those inside hold 1 in the channel `A`.
 
+#include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vcavity/cavity.hpp>
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
+#include "tools/environment.hpp"
 #include "tools/facet.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/output/exr.hpp"
@@ -40,6 +43,7 @@ struct MapRequest {
   Spectrum spectrum = Spectrum::written;
   Polarization polarization = Polarization::none;
   Precision precision = Precision::double_precision;
+  std::shared_ptr<const Environment> environment = nullptr;  ///< needs one wavelength, or one per R, G and B
 };
 
 /// The direction that a pixel shows; nothing outside the disc.
@@ -50,6 +54,7 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 /// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
 /// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
+/// With an environment: its radiance reflected towards each direction, in `R`, `G`, `B` and `A`.
 /// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
 /// the reflectance, but have no colour.
 class DiscMapper {
@@ -63,6 +68,9 @@ class DiscMapper {
 
   /// What the image says about itself.
   ExrAttributes attributes() const;
+
+  /// The radiance of the environment that the groove reflects towards a viewer. Only with an environment.
+  glm::dvec3 reflected_radiance(const Vec3<double>& e) const;
 
   /// The colour seen from a direction in diffuse light, and the white beside it. Only where there is a
   /// channel `R`.

@@ -24,25 +24,28 @@ struct CostOptions {
   std::string plot;
 };
 
-std::string in_seconds(double seconds) {
-  const auto scaled = [seconds](double unit, const char* name) {
-    return with_digits(seconds / unit, 2).append(" ").append(name);
-  };
-  if (!std::isfinite(seconds)) return "never";
-  if (seconds < 1e-3) return scaled(1e-6, "us");
-  if (seconds < 1) return scaled(1e-3, "ms");
-  if (seconds < 3600) return scaled(1, "s");
-  if (seconds < 86400 * 365.25) return scaled(3600, "h");
-  return scaled(86400 * 365.25, "years");
+/// Two digits, or all before the decimal point.
+std::string rounded(double value) {
+  return value < 100 ? with_digits(value, 2) : with_decimals(value, 0);
 }
 
-/// How much sooner than the first method of its section; nothing for the first method itself, or if there is
-/// no error.
+std::string in_seconds(double seconds) {
+  const auto scaled = [seconds](double unit, const char* name) {
+    return rounded(seconds / unit).append(" ").append(name);
+  };
+  if (seconds < 1e-3) return scaled(1e-6, "us");
+  if (seconds < 1) return scaled(1e-3, "ms");
+  return scaled(1, "s");
+}
+
+/// How much sooner than the first method of its section; nothing for the first method itself.
 std::string speed_up(const CostSection& section, const Measurement& row) {
+  // An extrapolation beyond this says no more than "never".
+  constexpr double most = 1e9;
   const double factor = seconds_of_first_method(section, row.error) / row.seconds;
-  if (row.method == section.rows.front().method || !std::isfinite(factor)) return "";
-  std::string text = with_digits(factor, 2);
-  return text.append("x");
+  if (row.method == section.rows.front().method) return "";
+  if (!(factor < most)) return "> 1e9";
+  return rounded(factor);
 }
 
 /// Whether other methods of a section are compared with its first one.
@@ -125,9 +128,9 @@ Plot plot_of(const CostSection& section, const std::string& what) {
 void run_cost(const CostOptions& options) {
   const Material material = load_material(options.material);
   const RefractiveIndex index = material.at(options.wavelength_nm);
-  std::vector<CostSection> sections{cost_of_integrals(options.aperture_deg, index),
-                                    cost_of_effects(options.aperture_deg, index),
-                                    cost_of_map(options.aperture_deg, index)};
+  std::vector<CostSection> sections{
+      cost_of_integrals(options.aperture_deg, index), cost_of_effects(options.aperture_deg, index),
+      cost_of_map(options.aperture_deg, index), cost_of_polarization(options.aperture_deg, index)};
   if (CostSection wavelengths = cost_of_wavelengths(options.aperture_deg, material);
       !wavelengths.rows.empty())
     sections.push_back(std::move(wavelengths));

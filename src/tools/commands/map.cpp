@@ -28,6 +28,7 @@ struct MapOptions {
   Polarization polarization = Polarization::none;
   EffectsOptions effects;
   double tolerance = 1e-3;
+  std::string environment;
   int most_bounces = all_bounces;
   std::string out;
 };
@@ -47,6 +48,12 @@ void run_map(const MapOptions& options) {
                      options.quantity,
                      Spectrum::written,
                      options.polarization};
+  if (!options.environment.empty()) {
+    if (options.quantity != Quantity::reflectance)
+      throw UsageError("--environment: shows the light it casts, not --quantity");
+    if (!options.wavelength_nm) request.wavelengths_nm = {610, 550, 465};
+    request.environment = std::make_shared<const Environment>(options.environment);
+  }
   if (options.effects.automatic) {
     MapPlan plan = plan_map(std::move(request), options.tolerance);
     std::cout << plan.explanation << '\n';
@@ -104,6 +111,15 @@ void add_map_command(CLI::App& program) {
       "of wavelengths")
       ->type_name("T")
       ->needs("--effects");
+  command
+      ->add_option(
+          "--environment", options->environment,
+          "show how the groove reflects this latitude-longitude OpenEXR image: zenith at the top, +y "
+          "(across the groove) in the middle, +x to the right of it; unless --wavelength is given, R, "
+          "G and B are taken at 610, 550 and 465 nm")
+      ->type_name("SKY.exr")
+      ->excludes("--wavelengths")
+      ->excludes("--effects");
   command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
   command->callback([options] { run_map(*options); });
 }

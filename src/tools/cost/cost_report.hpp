@@ -23,11 +23,14 @@ struct CostSection {
 /// the adaptive one in long double, to 1e-17.
 CostSection cost_of_integrals(double aperture_deg, const RefractiveIndex& index);
 
-/// Effects of the same: cut-offs, models of polarisation, float. The reference is exact in all of them.
+/// Effects in the same value: models of polarisation, cut-offs, float.
 CostSection cost_of_effects(double aperture_deg, const RefractiveIndex& index);
 
 /// Ways to a map: the reflectance in some hundred directions, the error that of the worst.
 CostSection cost_of_map(double aperture_deg, const RefractiveIndex& index);
+
+/// Models of polarisation in the same map; the reference is the full one.
+CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& index);
 
 /// Colour of a map by the number of wavelengths, against steps of 1 nm.
 /// \return without rows where the material is not known from 400 to 700 nm, or has no colour
