@@ -190,7 +190,9 @@ class Labels {
 
 std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, const PictureStyle& style) {
   std::vector<std::string> lines;
-  std::string line = any.quantity == Quantity::bounces ? "" : "Diffuse light, seen from every direction. ";
+  std::string line = any.quantity == Quantity::bounces ? ""
+                     : any.environment ? "An environment, seen reflected from every direction. "
+                                       : "Diffuse light, seen from every direction. ";
   line += "The grooves run upwards in the picture.";
   if (any.most_bounces != all_bounces)
     line +=
@@ -224,10 +226,12 @@ DiscMap colour_disc(const ExrImage& image, const std::string& label) {
 Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Progress& progress) {
   const Labels labels(requests);
   const MapRequest& any = requests.front();
-  const bool spectral = any.wavelengths_nm.size() > 1 && any.quantity != Quantity::bounces;
+  const bool spectral =
+      any.environment || (any.wavelengths_nm.size() > 1 && any.quantity != Quantity::bounces);
   const bool in_colour = spectral && style.tone == PictureStyle::Tone::natural;
   Wording words = wording(any.quantity);
   if (spectral) words.title = "Luminous reflectance";
+  if (any.environment) words = {"Reflected luminance", "", 1};
 
   std::vector<ExrImage> images;
   for (MapRequest& request : requests) {

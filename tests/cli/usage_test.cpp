@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::vector<std::string> commands{"paper", "map", "table", "direction", "materials"};
+const std::vector<std::string> commands{"paper", "map", "table", "direction", "cost", "materials"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

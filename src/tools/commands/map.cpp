@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vcavity/lobes.hpp>
 
 #include "tools/commands/commands.hpp"
@@ -10,19 +12,26 @@
 #include "tools/disc_map.hpp"
 #include "tools/error.hpp"
 #include "tools/map_picture.hpp"
+#include "tools/map_plan.hpp"
 #include "tools/materials/catalogue.hpp"
 
 namespace vcavity::tools {
 namespace {
 
+// An error, or a colour difference.
+constexpr Interval tolerance_range{0, 100, Interval::Ends::open_low};
+
 struct MapOptions {
   std::vector<std::string> materials;
   std::vector<double> apertures_deg;
   int size = 512;
-  std::vector<double> wavelength_nm{default_wavelength_nm};  // each a map of its own
-  std::vector<double> wavelengths_nm;                        // all in one map
+  std::vector<double> wavelength_nm;   // each a map of its own
+  std::vector<double> wavelengths_nm;  // all in one map
   Quantity quantity = Quantity::reflectance;
   Polarization polarization = Polarization::none;
+  EffectsOptions effects;
+  double tolerance = 1e-3;
+  std::string environment;
   int most_bounces = all_bounces;
   Viewing viewing;
   std::string out;
@@ -36,33 +45,63 @@ void check(const MapOptions& options) {
   if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
       options.most_bounces != all_bounces)
     throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
-  if (options.out.empty() && options.picture.empty()) throw UsageError("--out or --png is required");
+  if (!options.environment.empty() && options.quantity != Quantity::reflectance)
+    throw UsageError("--environment: shows the light it casts, not --quantity");
+  if (options.out.empty() && options.picture.empty() && !options.effects.explain)
+    throw UsageError("--out or --png is required");
+}
+
+/// The wavelengths of each map.
+std::vector<std::vector<double>> wavelengths_of_maps(const MapOptions& options) {
+  if (!options.wavelengths_nm.empty()) return {options.wavelengths_nm};
+  std::vector<std::vector<double>> result;
+  for (const double wavelength_nm : options.wavelength_nm) result.push_back({wavelength_nm});
+  if (!result.empty()) return result;
+  if (!options.environment.empty()) return {{610, 550, 465}};  // of R, G and B
+  return {{default_wavelength_nm}};
 }
 
 /// Every material at every aperture and wavelength. All of them can be computed.
 std::vector<MapRequest> combinations(const MapOptions& options) {
-  std::vector<std::vector<double>> wavelengths;
-  if (!options.wavelengths_nm.empty()) {
-    wavelengths = {options.wavelengths_nm};
-  } else {
-    for (const double wavelength_nm : options.wavelength_nm) wavelengths.push_back({wavelength_nm});
-  }
+  MapRequest request{Material::from_index({1, 0}, "1"),
+                     180,
+                     {},
+                     options.size,
+                     options.most_bounces,
+                     options.quantity,
+                     Spectrum::written,
+                     options.polarization};
+  request.viewing = options.viewing;
+  if (!options.environment.empty())
+    request.environment = std::make_shared<const Environment>(options.environment);
   std::vector<MapRequest> requests;
   for (const std::string& name : options.materials) {
-    const Material material = load_material(name);
+    request.material = load_material(name);
     for (const double aperture_deg : options.apertures_deg)
-      for (const std::vector<double>& wavelengths_nm : wavelengths) {
-        requests.push_back({material, aperture_deg, wavelengths_nm, options.size, options.most_bounces,
-                            options.quantity, Spectrum::written, options.polarization, options.viewing});
-        DiscMapper{requests.back()};  // throws what is wrong before the long work
+      for (const std::vector<double>& wavelengths_nm : wavelengths_of_maps(options)) {
+        request.aperture_deg = aperture_deg;
+        request.wavelengths_nm = wavelengths_nm;
+        DiscMapper{request};  // throws what is wrong before the long work
+        requests.push_back(request);
       }
   }
   return requests;
 }
 
+/// Replaces each map by the cheapest one within the tolerance and says why.
+void plan(std::vector<MapRequest>& requests, double tolerance) {
+  for (MapRequest& request : requests) {
+    MapPlan planned = plan_map(std::move(request), tolerance);
+    std::cout << planned.explanation << '\n';
+    request = std::move(planned.request);
+  }
+}
+
 void run_map(const MapOptions& options) {
   check(options);
-  const std::vector<MapRequest> requests = combinations(options);
+  std::vector<MapRequest> requests = combinations(options);
+  if (options.effects.automatic) plan(requests, options.tolerance);
+  if (options.effects.explain) return;
   const bool with_picture = !options.picture.empty();
   if (with_picture && requests.size() > most_discs)
     throw UsageError("--png: " + std::to_string(requests.size()) + " maps do not fit on a page, at most " +
@@ -175,6 +214,22 @@ void add_map_command(CLI::App& program) {
                     "leave out maps whose file exists, to resume an interrupted run");
   add_storage_options(*command, options->storage);
   add_picture_options(*command, options->picture, options->style);
+  add_effects(*command, options->effects);
+  add_number(
+      *command, "--tolerance", options->tolerance, tolerance_range,
+      "largest error of --effects auto (default 0.001): absolute in the reflectance, CIEDE2000 for a grid "
+      "of wavelengths")
+      ->type_name("T")
+      ->needs("--effects");
+  command
+      ->add_option(
+          "--environment", options->environment,
+          "show how the groove reflects this latitude-longitude OpenEXR image: zenith at the top, +y "
+          "(across the groove) in the middle, +x to the right of it; unless --wavelength is given, R, "
+          "G and B are taken at 610, 550 and 465 nm")
+      ->type_name("SKY.exr")
+      ->excludes("--wavelengths")
+      ->excludes("--effects");
   command->callback([options] { run_map(*options); });
 }
 
