@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 #include <vcavity/vcavity.hpp>
 
 #include "cli/program.hpp"
@@ -70,6 +71,19 @@ TEST_CASE("JSON of a table says when bounces were left out") {
   CHECK(result["rows"][0]["reflectance"].get<double>() == Catch::Approx(0.146005148243).epsilon(1e-10));
 }
 
+TEST_CASE("a table of several materials and wavelengths has a row for every combination") {
+  const json result =
+      result_of("table --material Ag,1.5 --material Cu --wavelength 500,600 --aperture 60:90:30");
+  CHECK(result["material"] == json{"Ag-Johnson", "1.5", "Cu-Johnson"});
+  std::set<std::tuple<std::string, double, double>> combinations;
+  for (const json& row : result["rows"])
+    combinations.emplace(row["material"], row["wavelength_nm"], row["aperture_deg"]);
+  CHECK(result["rows"].size() == 12);
+  CHECK(combinations.size() == 12);
+  const json single = result_of("table --material Cu --wavelength 600 --aperture 90");
+  CHECK(result["rows"][11]["reflectance"] == single["rows"][0]["reflectance"]);
+}
+
 TEST_CASE("JSON of a direction has every digit of the library") {
   const json result =
       result_of("direction --material 0.1249+3.3391i --aperture 45 --theta 30 --phi 20 --position 0.25");
@@ -124,29 +138,29 @@ TEST_CASE("CSV starts with its provenance and repeats the numbers of JSON") {
   CHECK(lines[1] == "# command: vcavity_maps " + line + " --format csv");
   CHECK(lines[2] == "# material: index 1.5");
   CHECK(lines[3] ==
-        "aperture_deg,wavelength_nm,n,k,polarization,max_bounces,reflectance,error_estimate,fresnel_"
+        "material,aperture_deg,wavelength_nm,n,k,polarization,max_bounces,reflectance,error_estimate,fresnel_"
         "evaluations");
   for (std::size_t i = 0; i < 2; ++i) {
     std::vector<std::string> cells;
     std::istringstream stream(lines[4 + i]);
     for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    REQUIRE(cells.size() == 9);
-    CHECK(std::stod(cells[6]) == rows[i]["reflectance"].get<double>());
-    CHECK(cells[5] == "all");
+    REQUIRE(cells.size() == 10);
+    CHECK(std::stod(cells[7]) == rows[i]["reflectance"].get<double>());
+    CHECK(cells[6] == "all");
   }
 }
 
 TEST_CASE("Markdown shows no digit that the error estimate does not vouch for") {
   const Outcome outcome = run("table --material 1.5 --aperture 60 --tolerance 1e-4");
   const std::vector<std::string> lines = lines_of(outcome.out);
-  REQUIRE(lines.size() == 5);
-  CHECK(lines[2].starts_with("| aperture_deg | wavelength_nm |"));
+  REQUIRE(lines.size() == 7);
+  CHECK(lines[2].starts_with("| material | aperture_deg | wavelength_nm |"));
   std::vector<std::string> cells;
   std::istringstream stream(lines[4]);
   for (std::string cell; std::getline(stream, cell, '|');)
     cells.push_back(words(cell).empty() ? "" : words(cell)[0]);
-  const double error = std::stod(cells.at(8));
-  const auto decimals = static_cast<double>(cells.at(7).size() - 2);  // behind "0."
+  const double error = std::stod(cells.at(9));
+  const auto decimals = static_cast<double>(cells.at(8).size() - 2);  // behind "0."
   CHECK(std::pow(10, -decimals) >= error);
 }
 
