@@ -25,6 +25,7 @@ double lightness(Rgba8 pixel) {
 TEST_CASE("grey shows a reflectance as a photograph would") {
   CHECK(map_colour(ColourMap::grey, 0) == Rgba8{0, 0, 0, 255});
   CHECK(map_colour(ColourMap::grey, 0.001) == Rgba8{3, 3, 3, 255});
+  CHECK(map_colour(ColourMap::grey, 0.02) == Rgba8{39, 39, 39, 255});
   CHECK(map_colour(ColourMap::grey, 0.2140) ==
         Rgba8{127, 127, 127, 255});  // sRGB 127 is 0.2122, 128 is 0.2159
   CHECK(map_colour(ColourMap::grey, 1) == Rgba8{255, 255, 255, 255});
@@ -45,6 +46,17 @@ TEST_CASE("the lightness of viridis rises in nearly even steps") {
   };
   const double even = (at(steps) - at(0)) / steps;
   for (int i = 0; i < steps; ++i) CHECK((at(i + 1) - at(i)) / even == Catch::Approx(1).margin(0.15));
+}
+
+TEST_CASE("viridis is smooth: a wrong entry of its table would make a kink") {
+  const auto at = [](int entry) { return map_colour(ColourMap::viridis, entry / 51.0); };
+  const auto kink = [](int before, int here, int after) { return std::abs(before - 2 * here + after); };
+  for (int i = 1; i < 51; ++i) {
+    const Rgba8 before = at(i - 1), here = at(i), after = at(i + 1);
+    CHECK(kink(before.r, here.r, after.r) <= 2);
+    CHECK(kink(before.g, here.g, after.g) <= 2);
+    CHECK(kink(before.b, here.b, after.b) <= 6);
+  }
 }
 
 TEST_CASE("values out of range get the colour at the end, and no number gets none") {

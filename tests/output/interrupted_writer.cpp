@@ -14,5 +14,6 @@ int main(int, char** arguments) {
   file.write("the first half");
   std::puts("half done");
   std::fflush(stdout);
+  ::alarm(30);
   for (;;) ::pause();
 }

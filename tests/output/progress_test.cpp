@@ -89,9 +89,9 @@ TEST_CASE("progress shows percent and time left on a terminal and removes its li
   {
     Progress progress(4, 20ms);
     std::this_thread::sleep_for(30ms);
-    progress.advance();
+    progress.advance(3);
     const std::string line = terminal.written();
-    CHECK(line.find(" 25 %") != std::string::npos);
+    CHECK(line.find(" 75 %") != std::string::npos);
     CHECK(line.find("0:00:00 left") != std::string::npos);
     CHECK(line.find('\n') == std::string::npos);
   }

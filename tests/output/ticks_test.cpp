@@ -26,8 +26,14 @@ TEST_CASE("linear ticks are round numbers with the decimals they need") {
   CHECK(labels(linear_ticks(0.9583, 0.9591, 5)) == Labels{"0.9584", "0.9586", "0.9588", "0.9590"});
 }
 
+TEST_CASE("a short range far from zero keeps plain numbers") {
+  CHECK(labels(linear_ticks(0.958302, 0.958306, 3)) == Labels{"0.958302", "0.958304", "0.958306"});
+}
+
 TEST_CASE("very large and very small ticks carry a power of ten") {
   CHECK(labels(linear_ticks(0, 3e-7, 4)) == Labels{"0", "1·10⁻⁷", "2·10⁻⁷", "3·10⁻⁷"});
+  CHECK(labels(linear_ticks(0, 2.5e-6, 6)) ==
+        Labels{"0", "0.5·10⁻⁶", "1.0·10⁻⁶", "1.5·10⁻⁶", "2.0·10⁻⁶", "2.5·10⁻⁶"});
   CHECK(labels(linear_ticks(0, 4e6, 3)) == Labels{"0", "2·10⁶", "4·10⁶"});
 }
 

@@ -8,9 +8,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
-#include <cstring>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -18,52 +15,6 @@
 namespace vcavity::tools {
 namespace fs = std::filesystem;
 namespace {
-
-// The temporaries that a signal has to remove. The handler may only read plain memory and call unlink(),
-// hence the fixed array. A file that finds no free slot is still atomic, it merely survives a signal.
-struct Slot {
-  enum State { free, claimed, in_use };
-  std::atomic<State> state{free};
-  std::array<char, PATH_MAX> path{};
-};
-static_assert(std::atomic<Slot::State>::is_always_lock_free);
-std::array<Slot, 64> slots;
-
-extern "C" void remove_temporaries(int signal) {
-  for (const Slot& slot : slots)
-    if (slot.state.load() == Slot::in_use) ::unlink(slot.path.data());
-  ::raise(signal);  // SA_RESETHAND restored the default action, which ends the process as the sender expects
-}
-
-void install_signal_handlers() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ}) {
-    struct sigaction current {};
-    if (::sigaction(signal, nullptr, &current) != 0 || current.sa_handler != SIG_DFL) continue;  // e.g. nohup
-    struct sigaction ours {};
-    ours.sa_handler = remove_temporaries;
-    ours.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigfillset(&ours.sa_mask);
-    ::sigaction(signal, &ours, nullptr);
-  }
-}
-
-int claim_slot(const fs::path& path) {
-  static const bool installed = (install_signal_handlers(), true);
-  static_cast<void>(installed);
-  if (path.native().size() >= PATH_MAX) return -1;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    auto expected = Slot::free;
-    if (!slots[i].state.compare_exchange_strong(expected, Slot::claimed)) continue;
-    std::memcpy(slots[i].path.data(), path.c_str(), path.native().size() + 1);
-    slots[i].state = Slot::in_use;
-    return static_cast<int>(i);
-  }
-  return -1;
-}
-
-void release_slot(int slot) {
-  if (slot >= 0) slots[static_cast<std::size_t>(slot)].state = Slot::free;
-}
 
 // Follows the symbolic links at the end of `path`, dangling ones too. Stops inside /proc, whose links stand
 // for open descriptors (/dev/stdout): those are to be written to and not to be replaced.
@@ -109,7 +60,6 @@ AtomicFile::~AtomicFile() {
     ::unlink(temporary_.c_str());
   }
   if (special_ >= 0) ::close(special_);
-  release_slot(slot_);
 }
 
 void AtomicFile::open() {
@@ -130,9 +80,8 @@ void AtomicFile::open() {
   const fs::path folder = special ? fs::temp_directory_path(error) : file_.parent_path();
   if (error) fail(error.value());
   do {  // a killed process with our number may have left its file
-    release_slot(slot_);
     temporary_ = next_temporary(folder);
-    slot_ = claim_slot(temporary_);  // before the file exists, or a signal in between would leave it behind
+    on_signal_.emplace(temporary_);  // before the file exists, or a signal in between would leave it behind
     descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail(errno);

@@ -5,15 +5,18 @@
 ///
 /// Everything is written to a temporary file in the folder of the target, which takes the target's place in
 /// one step (rename) only when commit() is called. A failed or interrupted run therefore leaves an earlier
-/// file as it was. SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE and SIGXFSZ remove the temporaries before they
-/// end the process; only SIGKILL or a power cut can leave one behind (".vcavity-PID-NUMBER.tmp").
+/// file as it was. Signals that end the process remove the temporary (see removal_on_signal.hpp); only
+/// SIGKILL or a power cut can leave one behind (".vcavity-PID-NUMBER.tmp").
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "tools/output/removal_on_signal.hpp"
 
 namespace vcavity::tools {
 
@@ -22,9 +25,7 @@ namespace vcavity::tools {
 /// - A symbolic link is followed: the file it points to is replaced and the link stays.
 /// - A file that already exists keeps its permissions; a new one gets those of the umask.
 /// - A target that is not a regular file (/dev/stdout, /dev/full, a named pipe) cannot be renamed over: the
-/// temporary then
-///   lives in the folder for temporary files and commit() copies it into the target. Data is appended, as
-///   `>>` would.
+///   temporary lies in the folder for temporary files, commit() appends its content to the target.
 ///
 /// All errors are std::runtime_error with the text "cannot write 'PATH': REASON".
 class AtomicFile {
@@ -75,9 +76,9 @@ class AtomicFile {
   std::filesystem::path temporary_;  // absolute
   int descriptor_ = -1;
   int special_ = -1;  // the open target if it is not a regular file
-  int slot_ = -1;     // place among the files that a signal removes
   int error_ = 0;     // errno of the first failure
   std::uint64_t position_ = 0;
+  std::optional<RemovalOnSignal> on_signal_;
 };
 
 /// Replaces `path` by `text`, completely or not at all.

@@ -84,8 +84,7 @@ class Canvas {
   void picture(double x, double y, double width, double height, int columns, int rows,
                const std::vector<Rgba8>& pixels) const;
 
-  /// Writes the page into the file. Throws std::runtime_error if cairo met a problem, such as text that is
-  /// not UTF-8.
+  /// Writes the page into the file. Throws std::runtime_error if that fails.
   void finish();
 
  private:

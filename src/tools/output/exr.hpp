@@ -27,7 +27,8 @@ using ExrAttributes = std::map<std::string, std::variant<std::string, float, dou
 /// How numbers are stored. A half has 11 significant bits and no value above 65504.
 enum class ExrNumber { float32, float16 };
 
-/// Lossless compression only: the numbers are the result.
+/// Lossless compression only: the numbers are the result. For maps of floats `piz` is both the fastest and
+/// the smallest (81 planes of 1024 × 1024 on two cores: 1.1 s and 135 MB, against 6 s and 200 MB with `zip`).
 enum class ExrCompression { none, rle, zips, zip, piz };
 
 /// Everything about an image but its pixels.
@@ -37,7 +38,7 @@ struct ExrHeader {
   std::vector<std::string> channels;
   ExrAttributes attributes;
   ExrNumber number = ExrNumber::float32;
-  ExrCompression compression = ExrCompression::zip;
+  ExrCompression compression = ExrCompression::piz;
 };
 
 /// One named channel of an image, row by row from the top.
@@ -89,7 +90,7 @@ class ExrWriter {
 
 /// Writes an image completely or not at all; size, channels and attributes come from `image`.
 void write_exr(const std::filesystem::path& path, const ExrImage& image,
-               ExrNumber number = ExrNumber::float32, ExrCompression compression = ExrCompression::zip);
+               ExrNumber number = ExrNumber::float32, ExrCompression compression = ExrCompression::piz);
 
 /// Reads all channels as floats and the attributes of type string, float and double.
 /// Throws std::runtime_error "cannot read 'PATH': REASON".

@@ -129,7 +129,7 @@ void draw_series(const Canvas& canvas, const Series& series, std::size_t index, 
         draw_marker(canvas, index, x(series.x[i]), y(series.y[i]));
 }
 
-// One sample per named series, drawn as a series of its own. Returns nothing to the left of `left`.
+// One sample of line and marker for each series that has a name.
 void draw_legend(const Canvas& canvas, const std::vector<Series>& series, double left, double top) {
   double y = top + legend_style.size / 2;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -149,6 +149,11 @@ double legend_width(const std::vector<Series>& series) {
   return names > 0 ? swatch + 8 + names + margin : 0;
 }
 
+// The centre of a pixel, where thin upright and level lines are sharp.
+double crisp(double position) {
+  return std::floor(position) + 0.5;
+}
+
 struct Box {
   double left, top, right, bottom;
 };
@@ -156,14 +161,14 @@ struct Box {
 void draw_axes(const Canvas& canvas, const Plot& plot, const Box& box, const Mapping& x, const Mapping& y) {
   cairo_set_line_width(canvas.cairo(), 1);
   for (const auto& tick : x.ticks(room_per_label_x)) {
-    const double at = x(tick.value);
+    const double at = crisp(x(tick.value));
     canvas.set_ink(tick.label.empty() ? ink(0xf3f3f3) : light_grey);
     canvas.line(at, box.top, at, box.bottom);
     canvas.text(at, box.bottom + 1.5 * tick_size, tick.label,
                 {.size = tick_size, .colour = dark_grey, .anchor = Anchor::centre});
   }
   for (const auto& tick : y.ticks(room_per_label_y)) {
-    const double at = y(tick.value);
+    const double at = crisp(y(tick.value));
     canvas.set_ink(tick.label.empty() ? ink(0xf3f3f3) : light_grey);
     canvas.line(box.left, at, box.right, at);
     canvas.text(box.left - 6, at + 0.36 * tick_size, tick.label,
@@ -190,14 +195,15 @@ void write_plot(AtomicFile& file, const Plot& plot) {
   const double footnote_height = paragraph_height(plot.footnote, footnote_style, text_room);
 
   Box box;
-  box.top = margin + paragraph_height(plot.title, title_style, text_room);
-  box.bottom = plot.height - margin - 3.4 * tick_size - footnote_height - (plot.x.label.empty() ? 0 : 6);
-  box.right = plot.width - margin - legend_width(plot.series);
+  box.top = crisp(margin + paragraph_height(plot.title, title_style, text_room));
+  box.bottom =
+      crisp(plot.height - margin - 3.4 * tick_size - footnote_height - (plot.x.label.empty() ? 0 : 6));
+  box.right = crisp(plot.width - margin - legend_width(plot.series));
   const Mapping y(plot.y, y_range, box.bottom, box.top);
   double numbers = 0;
   for (const auto& tick : y.ticks(room_per_label_y))
     numbers = std::max(numbers, text_width(tick.label, {.size = tick_size}));
-  box.left = margin + numbers + 10 + (plot.y.label.empty() ? 0 : 1.6 * axis_style.size);
+  box.left = crisp(margin + numbers + 10 + (plot.y.label.empty() ? 0 : 1.6 * axis_style.size));
   const Mapping x(plot.x, x_range, box.left, box.right);
 
   Canvas canvas(file, plot.width, plot.height, plot.scale);

@@ -52,7 +52,7 @@ void validate(const Sheet& sheet) {
 }
 
 std::vector<Tick> bar_ticks(const ColourBar& bar) {
-  return linear_ticks(bar.low, bar.high, 7);
+  return linear_ticks(bar.low, bar.high, 9);
 }
 
 // Width of the colour bar with its numbers and its label.
@@ -107,7 +107,7 @@ void text_on_any_colour(const Canvas& canvas, double x, double y, const std::str
   cairo_set_font_size(context, angle_style.size);
   cairo_move_to(context, x, y);
   cairo_text_path(context, text.c_str());
-  canvas.set_ink({0, 0, 0, 0.55});
+  canvas.set_ink({0, 0, 0, 0.45});
   cairo_set_line_width(context, 2.2);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_stroke_preserve(context);

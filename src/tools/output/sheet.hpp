@@ -47,8 +47,8 @@ struct Sheet {
 };
 
 /// Draws a sheet as PNG or SVG, by the extension of the target. The caller commits the file.
-/// Throws std::invalid_argument for a sheet without discs, a disc whose pixels are not size × size, or
-/// another extension.
+/// Throws std::invalid_argument for a sheet without discs, a disc whose pixels are not size × size, a colour
+/// bar unless low < high, text that is not UTF-8, or another extension.
 void write_sheet(AtomicFile& file, const Sheet& sheet);
 
 }  // namespace vcavity::tools

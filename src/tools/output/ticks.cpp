@@ -14,9 +14,9 @@ namespace {
 // A tick this close to an end of the axis, in steps, is on the axis: the ends carry rounding errors.
 constexpr double end_tolerance = 1e-9;
 
-// Powers of ten beyond these are written with an exponent.
-constexpr int smallest_plain_exponent = -4;
-constexpr int largest_plain_exponent = 5;
+// Axes within these magnitudes have plain numbers, others a power of ten.
+constexpr double smallest_plain = 1e-3;
+constexpr double largest_plain = 1e6;
 
 std::string with_true_minus(std::string text) {
   if (text.starts_with('-')) text.replace(0, 1, "−");
@@ -32,15 +32,16 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-// mantissa · 10^exponent; numbers on one axis share the exponent and thus the number of decimals.
+// mantissa · 10^exponent. The numbers on one axis, of which `largest` is the magnitude, share their decimals
+// and power of ten.
 std::string label(long long mantissa, int exponent, double largest) {
   if (mantissa == 0) return "0";
-  if (exponent < smallest_plain_exponent || largest >= std::pow(10.0, largest_plain_exponent + 1))
-    return with_true_minus(std::to_string(mantissa)) + "·" + power_of_ten(exponent);
+  const bool plain = largest >= smallest_plain && largest < largest_plain;
+  const int power = plain ? 0 : static_cast<int>(std::floor(std::log10(largest)));
   std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.*f", std::max(0, -exponent),
-                static_cast<double>(mantissa) * std::pow(10.0, exponent));
-  return with_true_minus(text.data());
+  std::snprintf(text.data(), text.size(), "%.*f", std::max(0, power - exponent),
+                static_cast<double>(mantissa) * std::pow(10.0, exponent - power));
+  return with_true_minus(text.data()) + (plain ? "" : "·" + power_of_ten(power));
 }
 
 std::size_t labelled(const std::vector<Tick>& ticks) {

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vcavity/reflectance.hpp>
+
+#include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
+#include "tools/commands/text_table.hpp"
+#include "tools/facet.hpp"
+#include "tools/materials/catalogue.hpp"
+#include "tools/provenance.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+struct DirectionOptions {
+  std::string material;
+  double aperture_deg = 0;
+  double theta_deg = 0;
+  double phi_deg = 0;
+  double wavelength_nm = default_wavelength_nm;
+  std::optional<double> position;
+  Format format = Format::md;
+};
+
+struct Ray {
+  double position;
+  RayPath path;
+  double reflectance;
+  Vec3<double> direction;
+};
+
+struct Result {
+  RefractiveIndex index;
+  double reflectance;
+  double absorptance;
+  Lobes<double, double> lobes;
+  std::optional<Ray> ray;
+};
+
+Result compute(const DirectionOptions& options, const RefractiveIndex& index) {
+  const Cavity<double> cavity(radians(options.aperture_deg));
+  Vec3<double> e = direction(radians(options.theta_deg), radians(options.phi_deg));
+  if (options.theta_deg == 90) e.z = 0;  // cos(π/2) is not 0 in floating point
+  return with_facet(index, [&](const auto& facet) {
+    Result result{index, directional_reflectance(cavity, e, facet), directional_absorptance(cavity, e, facet),
+                  lobes(cavity, e, facet), std::nullopt};
+    if (options.position) {
+      const RayPath path = ray_path(cavity, e, *options.position);
+      result.ray = Ray{*options.position, path, ray_reflectance(cavity, e, path, facet),
+                       ray_exit_direction(cavity, e, path)};
+    }
+    return result;
+  });
+}
+
+nlohmann::ordered_json json_of(const Vec3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+
+void print_json(const DirectionOptions& options, const Material& material, const Result& result) {
+  nlohmann::ordered_json json{{"material", material.name()},
+                              {"source", material.reference()},
+                              {"software", software()},
+                              {"command", command_line()},
+                              {"aperture_deg", options.aperture_deg},
+                              {"theta_deg", options.theta_deg},
+                              {"phi_deg", options.phi_deg},
+                              {"wavelength_nm", options.wavelength_nm},
+                              {"n", result.index.n},
+                              {"k", result.index.k},
+                              {"reflectance", result.reflectance},
+                              {"absorptance", result.absorptance},
+                              {"lobes", nlohmann::ordered_json::array()}};
+  for (const auto& lobe : result.lobes)
+    json["lobes"].push_back({{"first_panel", static_cast<int>(lobe.first_panel)},
+                             {"bounces", lobe.bounces},
+                             {"weight", lobe.weight},
+                             {"throughput", lobe.throughput},
+                             {"direction", json_of(lobe.direction)}});
+  if (result.ray)
+    json["ray"] = {{"position", result.ray->position},
+                   {"first_panel", static_cast<int>(result.ray->path.first_panel)},
+                   {"bounces", result.ray->path.bounces},
+                   {"reflectance", result.ray->reflectance},
+                   {"direction", json_of(result.ray->direction)}};
+  std::cout << json.dump(2) << '\n';
+}
+
+void print_table(const DirectionOptions& options, const Material& material, const Result& result) {
+  const bool markdown = options.format == Format::md;
+  const auto number = [markdown](double x) { return markdown ? with_digits(x, 8) : exact(x); };
+  TextTable table{{"light", "first_panel", "bounces", "weight", "throughput", "x", "y", "z"}, {}};
+  for (const auto& lobe : result.lobes)
+    table.rows.push_back({"lobe", std::to_string(static_cast<int>(lobe.first_panel)),
+                          std::to_string(lobe.bounces), number(lobe.weight), number(lobe.throughput),
+                          number(lobe.direction.x), number(lobe.direction.y), number(lobe.direction.z)});
+  if (result.ray)
+    table.rows.push_back({"ray at " + exact(result.ray->position),
+                          std::to_string(static_cast<int>(result.ray->path.first_panel)),
+                          std::to_string(result.ray->path.bounces), "", number(result.ray->reflectance),
+                          number(result.ray->direction.x), number(result.ray->direction.y),
+                          number(result.ray->direction.z)});
+  const std::string where = "aperture " + exact(options.aperture_deg) + "°, theta " +
+                            exact(options.theta_deg) + "°, phi " + exact(options.phi_deg) + "°";
+  if (markdown) {
+    std::cout << "Light from one direction: " << in_one_line(material) << ", n = " << exact(result.index.n)
+              << ", k = " << exact(result.index.k) << ", " << where << "\n\n"
+              << "Directional reflectance " << number(result.reflectance) << ", absorptance "
+              << number(result.absorptance) << "\n\n"
+              << to_markdown(table);
+    return;
+  }
+  std::vector<std::string> provenance = provenance_lines(material);
+  provenance.push_back(where + ", wavelength " + exact(options.wavelength_nm) +
+                       " nm, n = " + exact(result.index.n) + ", k = " + exact(result.index.k));
+  provenance.push_back("reflectance " + number(result.reflectance) + ", absorptance " +
+                       number(result.absorptance));
+  std::cout << to_csv(table, provenance);
+}
+
+void run_direction(const DirectionOptions& options) {
+  const Material material = load_material(options.material);
+  const Result result = compute(options, material.at(options.wavelength_nm));
+  if (options.format == Format::json) {
+    print_json(options, material, result);
+  } else {
+    print_table(options, material, result);
+  }
+}
+
+}  // namespace
+
+void add_direction_command(CLI::App& program) {
+  auto options = std::make_shared<DirectionOptions>();
+  CLI::App* command = program.add_subcommand(
+      "direction", "reflectance, lobes and, on request, a single ray of one direction");
+  add_material(*command, options->material);
+  add_number(*command, "--aperture", options->aperture_deg, aperture_range_deg,
+             "angle between the panels in degrees, above 0 to 180")
+      ->type_name("DEG")
+      ->required();
+  add_number(*command, "--theta", options->theta_deg, theta_range_deg,
+             "polar angle of the direction towards the light in degrees, 0 to 90")
+      ->type_name("DEG")
+      ->required();
+  add_number(*command, "--phi", options->phi_deg, {-360, 360},
+             "its azimuth in degrees, -360 to 360; 0 across the groove, 90 along it")
+      ->type_name("DEG")
+      ->required();
+  add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
+             "vacuum wavelength in nanometres (default 550)")
+      ->type_name("NM");
+  add_number(*command, "--position", options->position, {-1, 1},
+             "also follow the ray through this point of the opening, -1 to 1 across it")
+      ->type_name("Y");
+  add_format(*command, options->format);
+  command->callback([options] { run_direction(*options); });
+}
+
+}  // namespace vcavity::tools

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+#include <optional>
+#include <vcavity/lobes.hpp>
+
+#include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
+#include "tools/disc_map.hpp"
+#include "tools/error.hpp"
+#include "tools/materials/catalogue.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+struct MapOptions {
+  std::string material;
+  double aperture_deg = 0;
+  int size = 512;
+  std::optional<double> wavelength_nm;
+  std::vector<double> wavelengths_nm;
+  Quantity quantity = Quantity::reflectance;
+  int most_bounces = all_bounces;
+  std::string out;
+};
+
+void run_map(const MapOptions& options) {
+  if (options.quantity == Quantity::bounces && options.most_bounces != all_bounces)
+    throw UsageError("--max-bounces: limits the reflectance, not the count of --quantity bounces");
+  std::vector<double> wavelengths_nm = options.wavelengths_nm;
+  if (wavelengths_nm.empty()) wavelengths_nm.push_back(options.wavelength_nm.value_or(default_wavelength_nm));
+
+  const DiscMapper mapper({load_material(options.material), options.aperture_deg, wavelengths_nm,
+                           options.size, options.most_bounces, options.quantity});
+  AtomicFile file(options.out);
+  Progress progress(static_cast<std::uint64_t>(options.size));
+  write_map(file, mapper, progress);
+  file.commit();
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& program) {
+  auto options = std::make_shared<MapOptions>();
+  CLI::App* command = program.add_subcommand(
+      "map", "OpenEXR image of a quantity for every direction, on the disc of the equal-area projection");
+  add_material(*command, options->material);
+  add_number(*command, "--aperture", options->aperture_deg, aperture_range_deg,
+             "angle between the panels in degrees, above 0 to 180")
+      ->type_name("DEG")
+      ->required();
+  add_count(*command, "--size", options->size, 1, largest_map, "pixels along one side (default 512)")
+      ->type_name("N");
+  CLI::Option* single = add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
+                                   "one vacuum wavelength in nanometres (default 550); channel Y");
+  single->type_name("NM");
+  command
+      ->add_option_function<std::string>(
+          "--wavelengths",
+          [options](const std::string& words) {
+            options->wavelengths_nm = checked_range(words, "--wavelengths", wavelength_range_nm);
+            if (options->wavelengths_nm.size() < 2)
+              throw UsageError("--wavelengths: '" + words +
+                               "' is a single wavelength, for which there is --wavelength");
+          },
+          "a grid of vacuum wavelengths in nanometres; channels R, G, B and one for each wavelength")
+      ->type_name("LO:HI:STEP")
+      ->excludes(single);
+  command
+      ->add_option_function<std::string>(
+          "--quantity",
+          [options](const std::string& word) {
+            if (word != "reflectance" && word != "bounces")
+              throw UsageError("--quantity: '" + word + "' is not accepted, expected reflectance or bounces");
+            options->quantity = word == "bounces" ? Quantity::bounces : Quantity::reflectance;
+          },
+          "reflectance or bounces (default reflectance)")
+      ->type_name("QUANTITY");
+  add_max_bounces(*command, options->most_bounces);
+  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
+  command->callback([options] { run_map(*options); });
+}
+
+}  // namespace vcavity::tools

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/commands/options.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vcavity/lobes.hpp>
+
+#include "tools/commands/text_table.hpp"
+#include "tools/error.hpp"
+#include "tools/text_file.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+std::string in_words(const Interval& interval) {
+  const bool open_low = interval.ends != Interval::Ends::closed;
+  const bool open_high = interval.ends == Interval::Ends::open_both;
+  const bool bounded = std::isfinite(interval.high);
+  std::string text = std::string("a number ") + (open_low ? "above " : "from ") + exact(interval.low);
+  if (bounded) text += (open_high ? " and below " : " to ") + exact(interval.high);
+  return text;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == text.npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected) {
+  return UsageError(std::string(option) + ": '" + std::string(word) + "' is not accepted, expected " +
+                    expected);
+}
+
+}  // namespace
+
+double checked_number(std::string_view word, std::string_view option, const Interval& interval) {
+  const std::optional<double> value = parse_number(word);
+  const bool inside =
+      value && (interval.ends == Interval::Ends::closed ? *value >= interval.low : *value > interval.low) &&
+      (interval.ends == Interval::Ends::open_both ? *value < interval.high : *value <= interval.high);
+  if (!inside) throw unexpected(option, word, in_words(interval));
+  return *value;
+}
+
+std::vector<double> checked_range(std::string_view words, std::string_view option, const Interval& interval) {
+  const auto parts = split(words, ':');
+  if (parts.size() != 3) throw unexpected(option, words, "LOW:HIGH:STEP");
+  const double low = checked_number(parts[0], option, interval);
+  const double high = checked_number(parts[1], option, interval);
+  const double step = checked_number(parts[2], option,
+                                     {0, std::numeric_limits<double>::infinity(), Interval::Ends::open_both});
+  if (high < low) throw unexpected(option, words, "LOW:HIGH:STEP with LOW not above HIGH");
+  constexpr double most_steps = 100'000;
+  const double steps = std::floor((high - low) / step * (1 + 1e-12) + 1e-9);  // HIGH counts despite rounding
+  if (steps > most_steps) throw unexpected(option, words, "at most 100000 steps");
+  std::vector<double> values;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) values.push_back(std::min(low + i * step, high));
+  return values;
+}
+
+std::vector<double> checked_numbers(std::string_view words, std::string_view option,
+                                    const Interval& interval) {
+  std::vector<double> values;
+  for (const std::string_view part : split(words, ',')) {
+    if (part.find(':') == part.npos) {
+      values.push_back(checked_number(part, option, interval));
+    } else {
+      const std::vector<double> range = checked_range(part, option, interval);
+      values.insert(values.end(), range.begin(), range.end());
+    }
+  }
+  return values;
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const Interval& interval,
+                        const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
+      help);
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
+                        const Interval& interval, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
+      help);
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
+                       const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, low, high](const std::string& word) {
+        const std::optional<double> number = parse_number(word);
+        if (!number || *number != std::floor(*number) || *number < low || *number > high)
+          throw unexpected(name, word,
+                           "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+        value = static_cast<int>(*number);
+      },
+      help);
+}
+
+void add_format(CLI::App& command, Format& format) {
+  static const std::map<std::string, Format> names{
+      {"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}};
+  command
+      .add_option_function<std::string>(
+          "--format",
+          [&format](const std::string& word) {
+            const auto found = names.find(word);
+            if (found == names.end()) throw unexpected("--format", word, "md, csv or json");
+            format = found->second;
+          },
+          "md (Markdown), csv or json (default md)")
+      ->type_name("FORMAT");
+}
+
+void add_material(CLI::App& command, std::string& specification) {
+  command
+      .add_option(
+          "--material", specification,
+          "a name (see 'vcavity_maps materials'), a file of refractiveindex.info, or an index such as 1.5 "
+          "or 0.1249+3.3391i")
+      ->type_name("M")
+      ->required();
+}
+
+void add_max_bounces(CLI::App& command, int& most_bounces) {
+  add_count(command, "--max-bounces", most_bounces, 1, std::numeric_limits<int>::max(),
+            "leave out light that needs more bounces (default: all bounces)")
+      ->type_name("K");
+}
+
+}  // namespace vcavity::tools

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// What the options of the commands have in common: checked numbers, lists and grids of them, output formats.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vcavity::tools {
+
+/// An interval that an option must lie in.
+struct Interval {
+  double low;
+  double high;
+  enum class Ends { closed, open_low, open_both } ends = Ends::closed;
+};
+
+inline constexpr Interval aperture_range_deg{0, 180, Interval::Ends::open_low};
+inline constexpr Interval theta_range_deg{0, 90};
+inline constexpr Interval wavelength_range_nm{1, 1e7};
+inline constexpr int largest_map = 32768;  ///< pixels along one side
+
+/// Wavelength at which tabulated materials are taken unless the user says otherwise; the paper's.
+inline constexpr double default_wavelength_nm = 550;
+
+/// The number that a word of the user stands for.
+/// \param option   its name, for the error
+/// Throws UsageError "OPTION: 'WORD' ..., expected ..." unless it is a finite number inside the interval.
+double checked_number(std::string_view word, std::string_view option, const Interval& interval);
+
+/// Numbers separated by commas, each in the interval; `LOW:HIGH:STEP` stands for all of a range.
+/// Throws UsageError as checked_number().
+std::vector<double> checked_numbers(std::string_view words, std::string_view option,
+                                    const Interval& interval);
+
+/// The numbers of `LOW:HIGH:STEP`, HIGH included where the steps meet it. Throws UsageError as
+/// checked_number().
+std::vector<double> checked_range(std::string_view words, std::string_view option, const Interval& interval);
+
+/// Adds an option with a number in an interval.
+CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const Interval& interval,
+                        const std::string& help);
+
+/// Adds an option with an optional number in an interval.
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
+                        const Interval& interval, const std::string& help);
+
+/// Adds an option with a whole number in [low, high].
+CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
+                       const std::string& help);
+
+/// How a command prints its results.
+enum class Format { md, csv, json };
+
+/// Adds --format.
+void add_format(CLI::App& command, Format& format);
+
+/// Adds --material.
+void add_material(CLI::App& command, std::string& specification);
+
+/// Adds --max-bounces; unlimited unless given.
+void add_max_bounces(CLI::App& command, int& most_bounces);
+
+}  // namespace vcavity::tools

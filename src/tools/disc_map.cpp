@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/disc_map.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vcavity/vcavity.hpp>
+
+#include "tools/commands/text_table.hpp"
+#include "tools/facet.hpp"
+#include "tools/provenance.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+// Wavelengths that are computed together; two registers of AVX2.
+constexpr std::size_t pack_size = 8;
+using Wavelengths = Pack<double, pack_size>;
+
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
+  const double scale = std::numbers::sqrt2 / size;
+  return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
+}
+
+// The spectrum of directional reflectance, a pack of wavelengths at a time.
+void fill_spectrum(const Cavity<double>& cavity, const Vec3<double>& e,
+                   const std::vector<RefractiveIndex>& indices, int most_bounces,
+                   std::vector<double>& spectrum) {
+  spectrum.resize(indices.size());
+  for (std::size_t start = 0; start < indices.size(); start += pack_size) {
+    const std::size_t count = std::min(pack_size, indices.size() - start);
+    Wavelengths n(1.0);
+    Wavelengths k(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      n[i] = indices[start + i].n;
+      k[i] = indices[start + i].k;
+    }
+    const Wavelengths reflectance =
+        directional_reflectance(cavity, e, Conductor<Wavelengths>(n, k), most_bounces);
+    std::copy_n(reflectance.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
+  }
+}
+
+}  // namespace
+
+DiscMapper::DiscMapper(MapRequest request)
+    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+  for (const double wavelength_nm : request_.wavelengths_nm)
+    indices_.push_back(request_.material.at(wavelength_nm));
+  if (request_.quantity == Quantity::bounces) {
+    channels_ = {"Y", "bounces.least", "bounces.most", "A"};
+  } else if (indices_.size() == 1) {
+    channels_ = {"Y", "A"};
+  } else {
+    const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
+    if (std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
+      weights_.emplace(request_.wavelengths_nm);
+      channels_ = {"R", "G", "B"};
+    }
+    channels_.push_back("A");
+    if (request_.spectrum == Spectrum::written)
+      for (const double wavelength_nm : request_.wavelengths_nm)
+        channels_.push_back(spectral_channel_name(wavelength_nm));
+  }
+}
+
+ExrAttributes DiscMapper::attributes() const {
+  ExrAttributes result{
+      {"software", software()},
+      {"command", command_line()},
+      {"material", request_.material.name()},
+      {"materialSource", request_.material.reference()},
+      {"apertureDeg", request_.aperture_deg},
+      {"projection", std::string("Lambert azimuthal equal-area, disc of radius sqrt(2); u to the right "
+                                 "across the groove, v upwards along it")}};
+  const bool limited = request_.most_bounces != all_bounces;
+  result["maxBounces"] = limited ? std::to_string(request_.most_bounces) : std::string("all");
+  if (request_.quantity == Quantity::bounces) {
+    result["quantity"] = std::string("number of bounces, mean over the opening in Y");
+    result["units"] = std::string("1");
+    return result;
+  }
+  result["quantity"] = std::string("hemispherical-directional reflectance factor");
+  result["units"] = std::string("1");
+  if (indices_.size() > 1 && request_.spectrum == Spectrum::written) result.insert(spectral_layout_version());
+  if (weights_) {
+    result["colour"] =
+        std::string("linear sRGB of the spectrum under D65, CIE 1931 2 degree observer; unclipped");
+  }
+  if (indices_.size() == 1) {
+    result["wavelengthNm"] = request_.wavelengths_nm.front();
+    result["refractiveIndexN"] = indices_.front().n;
+    result["extinctionK"] = indices_.front().k;
+  }
+  return result;
+}
+
+void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
+  pixel.clear();
+  const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
+  if (request_.quantity == Quantity::bounces) {
+    int least = std::numeric_limits<int>::max();
+    int most = 0;
+    double mean = 0;
+    for (const auto& lobe : lobes(cavity_, e, [](double) { return 1.0; })) {
+      least = std::min(least, lobe.bounces);
+      most = std::max(most, lobe.bounces);
+      mean += lobe.weight * lobe.bounces;
+    }
+    for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
+    return;
+  }
+  if (indices_.size() == 1) {
+    add(with_facet(indices_.front(), [&](const auto& facet) {
+      return directional_reflectance(cavity_, e, facet, request_.most_bounces);
+    }));
+    add(1);
+    return;
+  }
+  thread_local std::vector<double> spectrum;
+  fill_spectrum(cavity_, e, indices_, request_.most_bounces, spectrum);
+  if (weights_) {
+    const LinearRgb colour = to_linear_srgb(weights_->colour(spectrum));
+    for (const double value : {colour.r, colour.g, colour.b}) add(value);
+  }
+  add(1);
+  if (request_.spectrum == Spectrum::written)
+    for (const double value : spectrum) add(value);
+}
+
+std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const {
+  const int size = request_.size;
+  const auto at = [size](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
+  };
+  std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
+  tbb::parallel_for(0, rows, [&](int row) {
+    thread_local std::vector<float> pixel;
+    // The groove is its own mirror image: the left half of a row tells the right half.
+    for (int column = 0; column < (size + 1) / 2; ++column) {
+      const auto e = pixel_direction(column, first_row + row, size);
+      if (!e) continue;
+      fill_pixel(*e, pixel);
+      for (std::size_t channel = 0; channel < planes.size(); ++channel)
+        planes[channel][at(row, column)] = planes[channel][at(row, size - 1 - column)] = pixel[channel];
+    }
+  });
+  return planes;
+}
+
+namespace {
+
+// Calls `use` with the planes of one block of rows after the other.
+template <class Use>
+void for_each_block(const DiscMapper& mapper, Progress& progress, Use&& use) {
+  const int size = mapper.request().size;
+  for (int row = 0; row < size; row += map_block_rows) {
+    const int rows = std::min(map_block_rows, size - row);
+    use(rows, mapper.rows(row, rows));
+    progress.advance(static_cast<std::uint64_t>(rows));
+  }
+}
+
+}  // namespace
+
+ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
+  ExrImage image{mapper.request().size, mapper.request().size, {}, mapper.attributes()};
+  for (const std::string& channel : mapper.channels()) image.channels.push_back({channel, {}});
+  for_each_block(mapper, progress, [&](int, const std::vector<std::vector<float>>& planes) {
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      image.channels[i].plane.insert(image.channels[i].plane.end(), planes[i].begin(), planes[i].end());
+  });
+  return image;
+}
+
+void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress) {
+  const int size = mapper.request().size;
+  ExrHeader header;
+  header.width = header.height = size;
+  header.channels = mapper.channels();
+  header.attributes = mapper.attributes();
+  ExrWriter writer(file, header);
+  for_each_block(mapper, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
+    const std::vector<std::span<const float>> spans(planes.begin(), planes.end());
+    writer.write_rows(rows, spans);
+  });
+  writer.finish();
+}
+
+}  // namespace vcavity::tools

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Maps of the hemisphere: a value for every direction, on the disc of the equal-area projection.
+///
+/// Pixel (column, row) of a map of size N shows the direction at u = √2 (2 column + 1 − N)/N,
+/// v = √2 (N − 1 − 2 row)/N: across the groove to the right, along it upwards. Pixels whose centre lies
+/// outside the disc hold 0 in all channels; those inside hold 1 in the channel `A`.
+
+#include <optional>
+#include <string>
+#include <vcavity/cavity.hpp>
+#include <vector>
+
+#include "tools/colour/spectral_weights.hpp"
+#include "tools/materials/material.hpp"
+#include "tools/output/exr.hpp"
+#include "tools/output/progress.hpp"
+
+namespace vcavity::tools {
+
+/// What a map shows.
+enum class Quantity { reflectance, bounces };
+
+/// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
+enum class Spectrum { written, colour_only };
+
+/// A map to be computed.
+struct MapRequest {
+  Material material;
+  double aperture_deg;
+  std::vector<double> wavelengths_nm;  ///< one, or an ascending grid of equal steps
+  int size;                            ///< pixels along one side
+  int most_bounces;
+  Quantity quantity = Quantity::reflectance;
+  Spectrum spectrum = Spectrum::written;
+};
+
+/// Computes the rows of a map, so that a map of any size fits into memory.
+///
+/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
+/// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
+/// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
+class DiscMapper {
+ public:
+  /// Throws UsageError for a wavelength without data.
+  explicit DiscMapper(MapRequest request);
+
+  const MapRequest& request() const { return request_; }
+  const std::vector<std::string>& channels() const { return channels_; }
+
+  /// What the image says about itself.
+  ExrAttributes attributes() const;
+
+  /// Computes `rows` rows from `first_row` on, on all cores.
+  /// \return one plane of rows × size values for each channel
+  std::vector<std::vector<float>> rows(int first_row, int rows) const;
+
+ private:
+  void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
+
+  MapRequest request_;
+  Cavity<double> cavity_;
+  std::vector<RefractiveIndex> indices_;
+  std::optional<SpectralWeights> weights_;
+  std::vector<std::string> channels_;
+};
+
+/// Number of rows that are computed and written together.
+inline constexpr int map_block_rows = 64;
+
+/// Computes a whole map in memory, advancing `progress` by the number of its rows.
+ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
+
+/// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
+void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress);
+
+}  // namespace vcavity::tools
