@@ -19,6 +19,12 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
+// Light as a transverse wave: the same with polarisation.
+#include "jones.hpp"
+#include "mueller.hpp"
+#include "polarization.hpp"
+// What of all this a scene needs.
+#include "planner.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"
