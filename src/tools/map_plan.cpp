@@ -13,9 +13,9 @@ namespace vcavity::tools {
 namespace {
 
 // The differences between two maps are searched in the directions of this many pixels along one side.
-constexpr int searched_size = 24;
+constexpr int searched_size = 64;
 // What the directions between them may add.
-constexpr double margin = 1.5;
+constexpr double margin = 2;
 
 std::string bound_in_words(double bound) {
   std::string text = "error at most ";
