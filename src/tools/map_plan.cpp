@@ -59,7 +59,7 @@ double cost(const MapRequest& request) {
 
 std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
   std::vector<MapRequest> candidates;
-  for (const std::size_t stride : {1, 2, 3, 4, 5, 6, 8, 10, 12})
+  for (const std::size_t stride : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u})
     for (const Polarization polarization : {Polarization::none, Polarization::full})
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
         MapRequest candidate = full;
