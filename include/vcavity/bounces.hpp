@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cavity.hpp"
+#include "turning_vector.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -31,11 +32,7 @@ class PanelImages {
   /// @param e direction towards the light
   /// @param first the panel met first
   PanelImages(const Cavity<Real>& cavity, const Vec3<Real>& e, Panel first)
-      : sine_(cavity.sin_aperture()), versine_(cavity.versine_aperture()), panel_(first) {
-    const Real across = first == Panel::one ? e.y : Real(-e.y);
-    normal_ = across * cavity.cos_half() + e.z * cavity.sin_half();
-    tangent_ = e.z * cavity.cos_half() - across * cavity.sin_half();
-  }
+      : PanelImages(cavity, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
 
   /// Number j of the bounce, starting at 1.
   int bounce() const { return bounce_; }
@@ -44,16 +41,14 @@ class PanelImages {
   Panel panel() const { return panel_; }
 
   /// e · N^(j), before any clamping of its rounding error.
-  const Real& normal_component() const { return normal_; }
+  const Real& normal_component() const { return e_.y(); }
 
   /// Cosine of the angle of incidence, c_j = e · N^(j), not negative.
-  Real cos_theta_i() const { return at_least(normal_, Real(0)); }
+  Real cos_theta_i() const { return at_least(normal_component(), Real(0)); }
 
-  /// Steps to the next image. The rotation is written with 1 − cos α so that many small steps do not drift.
+  /// Steps to the next image.
   void advance() {
-    const Real normal = normal_;
-    normal_ = normal - (versine_ * normal - sine_ * tangent_);
-    tangent_ = tangent_ - (versine_ * tangent_ + sine_ * normal);
+    e_.turn();
     panel_ = opposite(panel_);
     ++bounce_;
   }
@@ -61,16 +56,20 @@ class PanelImages {
   /// The direction in which the light travels after bounce j: the normal component is reversed, the others
   /// stay.
   Vec3<Real> exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e) const {
-    const Real across = normal_ * cavity.cos_half() + tangent_ * cavity.sin_half();
+    const Real across = e_.y() * cavity.cos_half() + e_.x() * cavity.sin_half();
     return {-e.x, panel_ == Panel::one ? across : Real(-across),
-            normal_ * cavity.sin_half() - tangent_ * cavity.cos_half()};
+            e_.y() * cavity.sin_half() - e_.x() * cavity.cos_half()};
   }
 
  private:
-  Real sine_;
-  Real versine_;
-  Real normal_;
-  Real tangent_;
+  /// @param across component of the direction from the first panel to the other
+  PanelImages(const Cavity<Real>& cavity, const Real& across, const Real& up, Panel first)
+      : e_(up * cavity.cos_half() - across * cavity.sin_half(),
+           across * cavity.cos_half() + up * cavity.sin_half(), cavity.sin_aperture(),
+           cavity.versine_aperture()),
+        panel_(first) {}
+
+  TurningVector<Real> e_;  // the direction, in components along and normal to the image
   Panel panel_;
   int bounce_ = 1;
 };
@@ -104,9 +103,9 @@ RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& po
   const Real leaving = pi<Real>() + (first == Panel::one ? Real(-theta) : theta) -
                        asin(at_most(largest(distance), Real(1)));  // γ_H
   const Real count = floor(leaving / cavity.aperture() - Real(0.5)) + Real(1);
+  if (count <= Real(1)) return {first, 1};
   const int most = cavity.max_bounces();
-  if (!(count < Real(most))) return {first, most};
-  return {first, std::max(1, static_cast<int>(count))};
+  return {first, count < Real(most) ? static_cast<int>(count) : most};
 }
 
 /// The direction in which the light of a ray leaves the groove.
