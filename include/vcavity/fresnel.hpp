@@ -59,21 +59,27 @@ void require_index(const Value& a, const char* name) {
   });
 }
 
-/// The angle of incidence, kept where all formulas have a limit.
+/// The smallest cosine whose fourth power does not underflow: about 3e-10 for float, 1e-77 for double. Smaller
+/// ones count as this one; at 0 the formulas of an interface without contrast would be 0/0.
+template <class Real>
+Real smallest_cosine() {
+  using std::sqrt;
+  if constexpr (std::is_floating_point_v<Real>) {
+    return sqrt(sqrt(std::numeric_limits<Real>::min()));
+  } else {
+    static const Real value = sqrt(sqrt(std::numeric_limits<Real>::min()));
+    return value;
+  }
+}
+
+/// The angle of incidence.
 template <class Real>
 struct Incidence {
-  /// Cosines are taken to lie in [√min, 1], min being the smallest normal number: at c = 0 and n = 1 the
-  /// formulas are 0/0, and c² must not underflow.
+  /// Cosines are taken to lie in [`smallest_cosine`, 1].
   explicit Incidence(const Real& cos_theta_i)
-      : c(at_most(at_least(cos_theta_i, smallest_cosine()), Real(1))),
+      : c(at_most(at_least(cos_theta_i, smallest_cosine<Real>()), Real(1))),
         c2(c * c),
         s2((Real(1) - c) * (Real(1) + c)) {}
-
-  static Real smallest_cosine() {
-    using std::sqrt;
-    static const Real smallest = sqrt(std::numeric_limits<Real>::min());
-    return smallest;
-  }
 
   /// Re w² = Re (n + ik)² − s² = Re m + c²: of these equal sums the one that cancels less.
   /// @param permittivity Re (n + ik)²

@@ -79,7 +79,7 @@ Subject<Real> fresnel_subject(const std::string& name) {
   subject.repair = [](std::vector<Real>& arguments) {
     arguments[0] = std::clamp(arguments[0], Real(1e-3), Real(100));
     arguments[1] = std::clamp(arguments[1], Real(0), Real(1000));
-    arguments[2] = std::clamp(arguments[2], Real(1e-12), Real(1));
+    arguments[2] = std::clamp(arguments[2], Real(1e-9), Real(1));
   };
   subject.bound = [](const std::vector<Real>&) { return fresnel_bound; };
   return subject;
@@ -95,7 +95,7 @@ Subject<Real> transparent(Subject<Real> subject) {
   };
   subject.repair = [](std::vector<Real>& arguments) {
     arguments[0] = std::clamp(arguments[0], Real(1e-3), Real(100));
-    arguments[1] = std::clamp(arguments[1], Real(1e-12), Real(1));
+    arguments[1] = std::clamp(arguments[1], Real(1e-9), Real(1));
   };
   return subject;
 }

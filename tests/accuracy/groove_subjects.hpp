@@ -92,11 +92,32 @@ Vec3<Real> direction_of(const std::vector<Real>& arguments) {
   return {arguments[1], arguments[2], arguments[3]};
 }
 
-inline std::vector<TracedLobe> traced(const std::vector<Digits50>& arguments) {
-  return traced_lobes(arguments[0], arguments[2], arguments[3]);
+inline int key_of(Panel first, int bounces) {
+  return 2 * bounces + (first == Panel::one ? 0 : 1);
 }
 
-inline int key_of(Panel first, int bounces) { return 2 * bounces + (first == Panel::one ? 0 : 1); }
+/// The lobes of arguments α, e_x, e_y, e_z. By the library's convention an aperture within rounding of π/k has
+/// at most k bounces, and the rays that would bounce once more count as bouncing k times.
+template <class Real>
+std::vector<TracedLobe> traced(const std::vector<Digits50>& arguments) {
+  std::vector<TracedLobe> lobes = traced_lobes(arguments[0], arguments[2], arguments[3]);
+  const Cavity<Real> cavity(std::min(static_cast<Real>(arguments[0]), pi<Real>()));
+  for (TracedLobe& lobe : lobes) {
+    lobe.bounces = std::min(lobe.bounces, cavity.max_bounces());
+    lobe.cosines.resize(static_cast<std::size_t>(lobe.bounces));
+  }
+  return lobes;
+}
+
+template <class Real>
+Results<Exact> traced_weights(const std::vector<Digits50>& arguments) {
+  Results<Exact> results;
+  for (const TracedLobe& lobe : traced<Real>(arguments)) {
+    Exact& sum = results[key_of(lobe.first_panel, lobe.bounces)];
+    sum = {Digits50(sum.value + lobe.weight), Digits50(1)};
+  }
+  return results;
+}
 
 /// A subject with arguments α, e_x, e_y, e_z.
 /// @param smallest_aperture in radians, which limits the time that the reference takes
@@ -128,10 +149,11 @@ Subject<Real> coated(Subject<Real> subject) {
   return subject;
 }
 
-/// Sum over the lobes of weight times throughput, in 50 digits; and with `absorbed` the rest.
-inline Digits50 traced_reflectance(const std::vector<Digits50>& arguments) {
+/// Sum over the lobes of weight times throughput.
+template <class Real>
+Digits50 traced_reflectance(const std::vector<Digits50>& arguments) {
   Digits50 sum(0);
-  for (const TracedLobe& lobe : traced(arguments)) {
+  for (const TracedLobe& lobe : traced<Real>(arguments)) {
     Digits50 product = lobe.weight;
     for (const Digits50& cosine : lobe.cosines)
       product *= TextbookFresnel(Digits50(arguments[4] - 1), arguments[5],
@@ -155,25 +177,27 @@ std::vector<Subject<Real>> groove_subjects(double smallest_aperture = 0.02) {
 
   Subject<Real> subject = detail::groove_subject<Real>("cosines of incidence", smallest_aperture);
   subject.bound = [](const Arguments&) { return cosine_bound; };
-  subject.actual = [white](const Arguments& a) {
+  subject.actual = [](const Arguments& a) {
     const Cavity<Real> cavity(a[0]);
-    const Vec3<Real> e = detail::direction_of(a);
     Results<Real> results;
-    for (const auto& lobe : lobes(cavity, e, white)) {
-      PanelImages<Real> images(cavity, e, lobe.first_panel);
-      while (images.bounce() < lobe.bounces) images.advance();
-      results[detail::key_of(lobe.first_panel, lobe.bounces)] = images.cos_theta_i();
+    for (const Panel first : {Panel::one, Panel::two}) {
+      PanelImages<Real> images(cavity, detail::direction_of(a), first);
+      for (; images.bounce() <= cavity.max_bounces(); images.advance())
+        results[detail::key_of(first, images.bounce())] = images.normal_component();
     }
     return results;
   };
-  // Of the lobes that the library sees: those of negligible weight have no cosine.
   subject.exact = [](const Wide& a) {
+    const Cavity<Real> cavity(std::min(static_cast<Real>(a[0]), pi<Real>()));
     Results<Exact> results;
-    for (const TracedLobe& lobe : detail::traced(a))
-      results[detail::key_of(lobe.first_panel, lobe.bounces)] = {lobe.cosines.back(), Digits50(1)};
+    for (const Panel first : {Panel::one, Panel::two}) {
+      int bounce = 0;
+      for (const Digits50& cosine : reflected_cosines(a[0], a[2], a[3], first, cavity.max_bounces()))
+        results[detail::key_of(first, ++bounce)] = {cosine, Digits50(1)};
+    }
     return results;
   };
-  // subjects.push_back(subject);
+  subjects.push_back(subject);
 
   subject = detail::groove_subject<Real>("weights of the lobes", smallest_aperture);
   subject.bound = [](const Arguments&) { return weight_bound; };
@@ -183,12 +207,7 @@ std::vector<Subject<Real>> groove_subjects(double smallest_aperture = 0.02) {
       results[detail::key_of(lobe.first_panel, lobe.bounces)] = lobe.weight;
     return results;
   };
-  subject.exact = [](const Wide& a) {
-    Results<Exact> results;
-    for (const TracedLobe& lobe : detail::traced(a))
-      results[detail::key_of(lobe.first_panel, lobe.bounces)] = {lobe.weight, Digits50(1)};
-    return results;
-  };
+  subject.exact = detail::traced_weights<Real>;
   subjects.push_back(subject);
 
   subject = detail::coated(detail::groove_subject<Real>("directional reflectance", smallest_aperture));
@@ -203,7 +222,7 @@ std::vector<Subject<Real>> groove_subjects(double smallest_aperture = 0.02) {
                                         Conductor<Real>(a[4], a[5]))}};
   };
   subject.exact = [](const Wide& a) -> Results<Exact> {
-    const Digits50 reflectance = detail::traced_reflectance(a);
+    const Digits50 reflectance = detail::traced_reflectance<Real>(a);
     return {{0, {reflectance, reflectance}}};
   };
   subjects.push_back(subject);
@@ -214,7 +233,7 @@ std::vector<Subject<Real>> groove_subjects(double smallest_aperture = 0.02) {
                                         Conductor<Real>(a[4], a[5]))}};
   };
   subject.exact = [](const Wide& a) -> Results<Exact> {
-    Digits50 absorptance = 1 - detail::traced_reflectance(a);
+    Digits50 absorptance = 1 - detail::traced_reflectance<Real>(a);
     if (absorptance < Digits50("1e-42")) absorptance = 0;
     return {{0, {absorptance, absorptance}}};
   };

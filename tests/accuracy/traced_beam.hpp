@@ -67,6 +67,24 @@ inline void trace_beam(const Digits50& sine, const Digits50& cosine, Panel panel
 
 }  // namespace detail
 
+/// The cosines of incidence of a ray reflected `count` times by alternating panels, whether it meets them or
+/// not.
+inline std::vector<Digits50> reflected_cosines(const Digits50& aperture, const Digits50& e_y,
+                                               const Digits50& e_z, Panel first, int count) {
+  const Digits50 half = std::min(aperture, pi<Digits50>()) / 2;
+  const Digits50 sine = sin(half);
+  const Digits50 cosine = std::max(Digits50(cos(half)), Digits50(0));
+  detail::Across d{Digits50(-e_y), Digits50(-e_z)};
+  Digits50 side = first == Panel::one ? Digits50(-1) : Digits50(1);
+  std::vector<Digits50> cosines;
+  for (int j = 0; j < count; ++j, side = -side) {
+    const detail::Across normal{Digits50(-side * cosine), sine};
+    cosines.push_back(-dot(d, normal));
+    d = {Digits50(d.y + 2 * cosines.back() * normal.y), Digits50(d.z + 2 * cosines.back() * normal.z)};
+  }
+  return cosines;
+}
+
 /// The lobes of a direction.
 /// @param aperture in (0, π], or what rounds to π
 /// @param e_y, e_z components of the direction towards the light, e_z ≥ 0, not both 0
