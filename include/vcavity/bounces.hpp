@@ -7,10 +7,8 @@
 /// crosses the images of the panels, which stand around the apex at the angles α/2 + (j − 1)α, j = 1, 2, …
 /// The number of images it crosses inside the unit circle is the number of bounces.
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 #include "cavity.hpp"
 #include "turning_vector.hpp"
@@ -77,16 +75,17 @@ class PanelImages {
 /// First panel and number of bounces of the ray through a point of the opening (Eqs. 7–13).
 ///
 /// With θ' the angle of the ray across the groove, δ = y cos θ' − cos(α/2) sin θ' its signed distance from
-/// the apex and s = sign δ: panel one is met first if δ < 0, and m = ⌊(π + s θ' − arcsin|δ|)/α − 1/2⌋ + 1.
-/// (The paper's Eqs. 11 and 12 are merged here.) A ray through the apex counts as meeting panel two first,
-/// one through the edge of a panel's image as meeting that image. Rounding never gives less than 1 bounce nor
-/// more than `max_bounces`.
+/// the apex and s = sign δ: panel one is met first if δ < 0, and m = ⌊γ/α − 1/2⌋ + 1, where
+/// γ = π + s θ' − arcsin|δ| merges the paper's Eqs. 11 and 12. Here γ = (π/2 + s θ') + arccos|δ|, two angles
+/// that are small together in a narrow groove under grazing light, and keep their digits.
+///
+/// A ray through the apex counts as meeting panel two first, one through the edge of a panel's image as
+/// meeting that image. The answer is at least 1 and at most `max_bounces`, whatever the rounding.
 ///
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real>
 RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position) {
-  using std::asin;
   using std::atan2;
   using std::floor;
   using std::sqrt;
@@ -96,12 +95,15 @@ RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& po
   if (!(across > Real(0)))
     return {position < Real(0) ? Panel::one : Panel::two, 1};  // grazing along the groove
 
-  const Real distance =
-      (position * cavity.sin_half() * e.z - cavity.cos_half() * e.y) / across;  // δ, from the apex
-  const Panel first = distance < Real(0) ? Panel::one : Panel::two;
-  const Real theta = atan2(e.y, e.z);
-  const Real leaving = pi<Real>() + (first == Panel::one ? Real(-theta) : theta) -
-                       asin(at_most(largest(distance), Real(1)));  // γ_H
+  const Real aside = position * cavity.sin_half() * e.z;
+  const Panel first = aside < cavity.cos_half() * e.y ? Panel::one : Panel::two;  // δ < 0
+  const Real facing = first == Panel::one ? e.y : Real(-e.y);
+  // 1 − |δ|, without forming |δ| = (cos(α/2) facing ∓ aside)/across
+  const Real beyond = facing > Real(0) ? Real(e.z * (e.z / (across + facing))) : Real(across - facing);
+  const Real rest = at_least(
+      Real((beyond + cavity.versine_half() * facing + (first == Panel::one ? aside : Real(-aside))) / across),
+      Real(0));
+  const Real leaving = atan2(e.z, facing) + atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest);  // γ
   const Real count = floor(leaving / cavity.aperture() - Real(0.5)) + Real(1);
   if (count <= Real(1)) return {first, 1};
   const int most = cavity.max_bounces();

@@ -63,8 +63,8 @@ class Cavity {
   }
 
   /// The largest number of bounces of any ray, ⌈π/α⌉. An aperture within rounding (4 ε) of π/k counts as π/k:
-  /// moving the aperture by so little moves the weights as much as leaving out the rays that would bounce once
-  /// more. At most the largest int.
+  /// moving the aperture by so little moves the weights as much as leaving out the rays that would bounce
+  /// once more. At most the largest int.
   int max_bounces() const { return max_bounces_; }
 
  private:

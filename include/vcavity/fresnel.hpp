@@ -59,8 +59,8 @@ void require_index(const Value& a, const char* name) {
   });
 }
 
-/// The smallest cosine whose fourth power does not underflow: about 3e-10 for float, 1e-77 for double. Smaller
-/// ones count as this one; at 0 the formulas of an interface without contrast would be 0/0.
+/// The smallest cosine whose fourth power does not underflow: about 3e-10 for float, 1e-77 for double.
+/// Smaller ones count as this one; at 0 the formulas of an interface without contrast would be 0/0.
 template <class Real>
 Real smallest_cosine() {
   using std::sqrt;
@@ -148,7 +148,8 @@ Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Va
   const RefractedWave<Value> wave(permittivity, contrast, cos_theta_i);
   // (c − w)/(c + w) = (c² − |w|² − 2ic Im w)/|c + w|². Where c² − |w|² would cancel, m stands in for w² − c².
   const Value c2 = wave.c * wave.c;
-  const Value from_contrast = Real(-1) * ((norm(contrast) + Real(2) * (c2 * contrast.re)) / (c2 + wave.w_norm));
+  const Value from_contrast =
+      Real(-1) * ((norm(contrast) + Real(2) * (c2 * contrast.re)) / (c2 + wave.w_norm));
   const Value difference =
       select_nonnegative(Value(wave.w_norm - Real(2) * c2), Value(c2 - wave.w_norm), from_contrast);
   const Value inverse = Value(1) / wave.sum_norm();

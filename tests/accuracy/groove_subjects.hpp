@@ -96,8 +96,8 @@ inline int key_of(Panel first, int bounces) {
   return 2 * bounces + (first == Panel::one ? 0 : 1);
 }
 
-/// The lobes of arguments α, e_x, e_y, e_z. By the library's convention an aperture within rounding of π/k has
-/// at most k bounces, and the rays that would bounce once more count as bouncing k times.
+/// The lobes of arguments α, e_x, e_y, e_z. By the library's convention an aperture within rounding of π/k
+/// has at most k bounces, and the rays that would bounce once more count as bouncing k times.
 template <class Real>
 std::vector<TracedLobe> traced(const std::vector<Digits50>& arguments) {
   std::vector<TracedLobe> lobes = traced_lobes(arguments[0], arguments[2], arguments[3]);
@@ -152,16 +152,45 @@ Subject<Real> coated(Subject<Real> subject) {
 /// Sum over the lobes of weight times throughput.
 template <class Real>
 Digits50 traced_reflectance(const std::vector<Digits50>& arguments) {
+  // Smaller cosines count as this one.
+  const Digits50 smallest(vcavity::detail::smallest_cosine<Real>());
   Digits50 sum(0);
   for (const TracedLobe& lobe : traced<Real>(arguments)) {
     Digits50 product = lobe.weight;
     for (const Digits50& cosine : lobe.cosines)
-      product *= TextbookFresnel(Digits50(arguments[4] - 1), arguments[5],
-                                 std::clamp(cosine, Digits50(0), Digits50(1)))
-                     .reflectance();
+      product *=
+          TextbookFresnel(Digits50(arguments[4] - 1), arguments[5], std::clamp(cosine, smallest, Digits50(1)))
+              .reflectance();
     sum += product;
   }
   return sum;
+}
+
+/// How much of the opening `ray_path` gives to each first panel and number of bounces, by bisection. Along
+/// the opening a path never comes back.
+template <class Real>
+Results<Real> fractions_of_single_rays(const Cavity<Real>& cavity, const Vec3<Real>& e) {
+  const auto key_at = [&](const Real& position) {
+    const RayPath path = ray_path(cavity, e, position);
+    return key_of(path.first_panel, path.bounces);
+  };
+  Results<Real> fractions;
+  Real start(-1);
+  while (start < Real(1)) {
+    const int key = key_at(start);
+    Real inside = start;
+    Real outside(1);
+    if (key_at(outside) == key) {
+      fractions[key] += (outside - start) / Real(2);
+      break;
+    }
+    for (Real middle = (inside + outside) / Real(2); middle != inside && middle != outside;
+         middle = (inside + outside) / Real(2))
+      (key_at(middle) == key ? inside : outside) = middle;
+    fractions[key] += (outside - start) / Real(2);
+    start = outside;
+  }
+  return fractions;
 }
 
 }  // namespace detail
@@ -206,6 +235,36 @@ std::vector<Subject<Real>> groove_subjects(double smallest_aperture = 0.02) {
     for (const auto& lobe : lobes(Cavity<Real>(a[0]), detail::direction_of(a), white))
       results[detail::key_of(lobe.first_panel, lobe.bounces)] = lobe.weight;
     return results;
+  };
+  subject.exact = detail::traced_weights<Real>;
+  subjects.push_back(subject);
+
+  subject.name = "sum of the weights";
+  subject.bound = [](const Arguments&) { return 4.0; };
+  subject.actual = [white](const Arguments& a) -> Results<Real> {
+    Real sum(0);
+    for (const auto& lobe : lobes(Cavity<Real>(a[0]), detail::direction_of(a), white)) sum += lobe.weight;
+    return {{0, sum}};
+  };
+  subject.exact = [](const Wide&) -> Results<Exact> { return {{0, {Digits50(1), Digits50(1)}}}; };
+  subjects.push_back(subject);
+
+  subject.name = "mean number of bounces";
+  subject.bound = [](const Arguments&) { return weight_bound; };
+  subject.actual = [](const Arguments& a) -> Results<Real> {
+    return {{0, mean_bounces(Cavity<Real>(a[0]), detail::direction_of(a))}};
+  };
+  subject.exact = [](const Wide& a) -> Results<Exact> {
+    Digits50 mean(0);
+    for (const TracedLobe& lobe : detail::traced<Real>(a)) mean += lobe.bounces * lobe.weight;
+    return {{0, {mean, mean}}};
+  };
+  subjects.push_back(subject);
+
+  subject.name = "bounces of single rays, as fractions of the opening";
+  subject.share_of_samples = 0.2;
+  subject.actual = [](const Arguments& a) {
+    return detail::fractions_of_single_rays(Cavity<Real>(a[0]), detail::direction_of(a));
   };
   subject.exact = detail::traced_weights<Real>;
   subjects.push_back(subject);

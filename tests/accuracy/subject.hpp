@@ -46,6 +46,8 @@ struct Subject {
   std::function<Results<Exact>(const std::vector<Digits50>&)> exact;
   /// The error that is promised not to be exceeded.
   std::function<double(const Arguments&)> bound;
+  /// Less than 1 for functions that take long.
+  double share_of_samples = 1;
 };
 
 /// An error, and the promise it is compared with.
@@ -136,7 +138,8 @@ Error error_of(const Subject<Real>& subject, const std::vector<Real>& arguments,
     const auto change = changes.find(key);
     const Digits50 scale = std::max(detail::find(exact, key).scale, smallest);
     const Digits50 condition = change == changes.end() ? Digits50(0) : Digits50(change->second / scale / eps);
-    const double beyond = static_cast<double>(Digits50(error / std::max(Digits50(1), Digits50(condition / 2))));
+    const double beyond =
+        static_cast<double>(Digits50(error / std::max(Digits50(1), Digits50(condition / 2))));
     if (beyond >= worst.epsilons) worst = {beyond, bound, static_cast<double>(condition)};
   }
   return worst;

@@ -38,6 +38,8 @@ std::vector<Real> neighbour(const Subject<Real>& subject, std::vector<Real> argu
 template <class Real>
 WorstCase<Real> find_worst_case(const Subject<Real>& subject, int samples, int steps, Random& random) {
   constexpr std::size_t climbers = 10;
+  samples = std::max(10, static_cast<int>(samples * subject.share_of_samples));
+  steps = std::max(10, static_cast<int>(steps * subject.share_of_samples));
   std::vector<WorstCase<Real>> worst;
   const auto keep = [&](WorstCase<Real> found) {
     worst.push_back(std::move(found));
@@ -58,9 +60,8 @@ WorstCase<Real> find_worst_case(const Subject<Real>& subject, int samples, int s
       const Error error = error_of(subject, arguments, climber.error.share());
       if (error.share() > climber.error.share()) climber = {error, arguments};
     }
-  return *std::max_element(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
-    return a.error.share() < b.error.share();
-  });
+  return *std::max_element(worst.begin(), worst.end(),
+                           [](const auto& a, const auto& b) { return a.error.share() < b.error.share(); });
 }
 
 }  // namespace vcavity::test
