@@ -18,7 +18,10 @@
 ///
 /// The sign of r_p is the one that makes r_p = r_s at normal incidence.
 ///
-/// Range: n ≥ 0, k ≥ 0, not both 0, |n + ik| below 1e9 for float (so that fourth powers do not overflow).
+/// Range: n ≥ 0, k ≥ 0, n + k between 2e-9 and 1e9 for float (1e-76 and 1e76 for double), so that fourth
+/// powers neither vanish nor overflow. Cosines outside [3e-10, 1] (1e-77 for double) count as the nearer end:
+/// so grazing incidence has its limit even without an interface, where R = 0 and 1 − R = 1 at every angle. A
+/// cosine that is not a number gives a result that is not a number.
 /// Not for an absorbing incident medium, for gain (k < 0) or for magnetic materials.
 
 #include <limits>
@@ -39,26 +42,6 @@ struct Amplitudes {
 
 namespace detail {
 
-/// The largest n and k: their fourth powers must not overflow. About 1e9 for float, 1e76 for double.
-template <class Real>
-Real largest_index() {
-  using std::sqrt;
-  return sqrt(sqrt(std::numeric_limits<Real>::max())) / Real(4);
-}
-
-/// Throws std::invalid_argument unless every component of `a` is in [0, largest_index].
-template <class Value>
-void require_index(const Value& a, const char* name) {
-  using Real = scalar_t<Value>;
-  for_each_component(a, [name](const Real& x) {
-    if (!(x >= Real(0) && x <= largest_index<Real>())) {
-      std::ostringstream message;
-      message << name << " must lie in [0, " << largest_index<Real>() << "], not be " << x;
-      throw std::invalid_argument(message.str());
-    }
-  });
-}
-
 /// The smallest cosine whose fourth power does not underflow: about 3e-10 for float, 1e-77 for double.
 /// Smaller ones count as this one; at 0 the formulas of an interface without contrast would be 0/0.
 template <class Real>
@@ -70,6 +53,32 @@ Real smallest_cosine() {
     static const Real value = sqrt(sqrt(std::numeric_limits<Real>::min()));
     return value;
   }
+}
+
+/// The smallest |n + ik|, for the same reason.
+template <class Real>
+Real smallest_index() {
+  return Real(4) * smallest_cosine<Real>();
+}
+
+/// The largest n and k: fourth powers must not overflow. About 1e9 for float, 1e76 for double.
+template <class Real>
+Real largest_index() {
+  using std::sqrt;
+  return sqrt(sqrt(std::numeric_limits<Real>::max())) / Real(4);
+}
+
+/// Throws std::invalid_argument unless every component of `a` is in [low, largest_index].
+template <class Value>
+void require_index(const Value& a, const scalar_t<Value>& low, const char* name) {
+  using Real = scalar_t<Value>;
+  for_each_component(a, [&low, name](const Real& x) {
+    if (!(x >= low && x <= largest_index<Real>())) {
+      std::ostringstream message;
+      message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
+      throw std::invalid_argument(message.str());
+    }
+  });
 }
 
 /// The angle of incidence.
@@ -179,7 +188,7 @@ class Conductor {
 
   /// @param n real part of the refractive index relative to the incident medium, ≥ 0
   /// @param k extinction coefficient, ≥ 0
-  /// @throws std::invalid_argument when a component is negative, infinite or not a number
+  /// @throws std::invalid_argument when a component is out of range, see above, or not a number
   Conductor(const Value& n, const Value& k) : Conductor(n, n - Value(1), k) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
@@ -222,8 +231,9 @@ class Conductor {
 
  private:
   Conductor(const Value& n, const Value& n_minus_1, const Value& k) {
-    detail::require_index(n, "the refractive index n");
-    detail::require_index(k, "the extinction coefficient k");
+    detail::require_index(n, Real(0), "the refractive index n");
+    detail::require_index(k, Real(0), "the extinction coefficient k");
+    detail::require_index(Value(n + k), detail::smallest_index<Real>(), "n + k");
     permittivity_ = n * n - k * k;
     contrast_ = {n_minus_1 * (n + Value(1)) - k * k, Real(2) * (n * k)};
     contrast_norm_ = norm(contrast_);
@@ -242,7 +252,7 @@ class Dielectric {
   using Real = scalar_t<Value>;
 
   /// @param n refractive index relative to the incident medium, > 0
-  /// @throws std::invalid_argument when a component is negative, infinite or not a number
+  /// @throws std::invalid_argument when a component is out of range, see above, or not a number
   explicit Dielectric(const Value& n) : Dielectric(n, n - Value(1)) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
@@ -305,7 +315,7 @@ class Dielectric {
   };
 
   Dielectric(const Value& n, const Value& n_minus_1) {
-    detail::require_index(n, "the refractive index n");
+    detail::require_index(n, detail::smallest_index<Real>(), "the refractive index n");
     permittivity_ = n * n;
     contrast_ = n_minus_1 * (n + Value(1));
   }

@@ -80,35 +80,24 @@ class ReachedFractions {
       : opening_(Real(2) * e.z * cavity.sin_half()),
         sine_(cavity.sin_half()),
         e_z_(e.z),
-        first_normal_(images.normal_component()),
         fan_(cavity.cos_half(), cavity.sin_half(), cavity.sin_half(), cavity.versine_half()),
         slope_(e.z, largest(e.y), cavity.sin_half(), cavity.versine_half()) {
     const Panel facing = e.y < Real(0) ? Panel::two : Panel::one;
+    const bool is_facing = images.panel() == facing;
     const Real other_normal = e.z * cavity.sin_half() - largest(e.y) * cavity.cos_half();
-    if (other_normal > negligible_fraction<Real>() * opening_)
-      lit_ = Lit::both_panels;
-    else
-      lit_ = images.panel() == facing ? Lit::this_panel : Lit::other_panel;
+    both_lit_ = other_normal > negligible_fraction<Real>() * opening_;
+    const Real beyond_rim = both_lit_ ? Real(other_normal / opening_) : Real(0);
+    first_ = is_facing ? Real(Real(1) - beyond_rim) : beyond_rim;
   }
 
   /// f_1: the fraction of the opening whose rays meet this panel first.
-  Real first() const {
-    switch (lit_) {
-      case Lit::both_panels:
-        return first_normal_ / opening_;
-      case Lit::this_panel:
-        return Real(1);
-      default:
-        return Real(0);
-    }
-  }
+  const Real& first() const { return first_; }
 
   /// Steps from f_j to f_{j+1}.
   /// @param images at bounce j + 1
   /// @return f_{j+1}
   Real advance(const PanelImages<Real>& images) {
-    if (lit_ == Lit::both_panels)
-      return at_least(at_most(images.normal_component(), first_normal_), Real(0)) / opening_;
+    if (both_lit_) return at_least(at_most(Real(images.normal_component() / opening_), first_), Real(0));
     fan_.turn();
     slope_.turn();
     if (!(slope_.x() > Real(0))) return Real(0);
@@ -116,14 +105,11 @@ class ReachedFractions {
   }
 
  private:
-  /// Which panels light reaches directly.
-  enum class Lit { both_panels, this_panel, other_panel };
-
   Real opening_;  // the width of the opening as the light sees it
   Real sine_;
   Real e_z_;
-  Real first_normal_;
-  Lit lit_;
+  bool both_lit_;  // whether light reaches both panels directly
+  Real first_;
   TurningVector<Real> fan_;    // cos(jα/2), sin(jα/2)
   TurningVector<Real> slope_;  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
 };
