@@ -19,6 +19,11 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
+// What a renderer needs.
+#include "bsdf.hpp"
+#include "groove_frame.hpp"
+#include "spread_bsdf.hpp"
+#include "von_mises_fisher.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"
