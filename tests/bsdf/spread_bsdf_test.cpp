@@ -33,7 +33,7 @@ double integral_over_hemisphere(Function&& f, int rings) {
 
 TEST_CASE("the density of directions integrates to one, and the BSDF to the albedo") {
   for (const double aperture_deg : {40.0, 90.0, 160.0})
-    for (const double theta_deg : {5.0, 50.0, 85.0})
+    for (const double theta_deg : {20.0, 50.0, 85.0})
       for (const double width : {0.1, 0.3, 3.0}) {
         const GrooveBsdf grooves(Cavity<double>(radians(aperture_deg)), metal);
         const SpreadGrooveBsdf bsdf(grooves, width);
