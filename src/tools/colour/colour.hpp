@@ -34,7 +34,7 @@ Lab to_lab(const Xyz& colour, const Xyz& white);
 
 /// Linear RGB with the primaries and the D65 white of sRGB (IEC 61966-2-1:1999, matrix of eq. 7). Components
 /// below 0 or above 1 mean that a display cannot show the colour. Colours under a light other than D65 keep
-/// the tint of that light: they are not adapted.
+/// the tint of that light: they are not adapted. Meant for XYZ of the 2 degree observer.
 LinearRgb to_linear_srgb(const Xyz& colour);
 
 /// Linear RGB with the primaries and the D65 white of ITU-R BT.2020.

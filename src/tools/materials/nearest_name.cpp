@@ -6,15 +6,9 @@
 #include <utility>
 #include <vector>
 
-namespace vcavity::tools {
+#include "tools/text_file.hpp"
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) {
-    if ('A' <= letter && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
-}
+namespace vcavity::tools {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // Row i of the classic table holds the distances of a's first i letters to every beginning of b.

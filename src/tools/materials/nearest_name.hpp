@@ -11,9 +11,6 @@
 
 namespace vcavity::tools {
 
-/// The text in lower-case letters (ASCII).
-std::string lower_case(std::string_view text);
-
 /// How many letters must be inserted, removed or replaced to turn one word into the other (Levenshtein
 /// distance).
 std::size_t edit_distance(std::string_view a, std::string_view b);
