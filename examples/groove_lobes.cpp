@@ -14,24 +14,24 @@ int main() {
   const GrooveBsdf bsdf(groove, copper);
   const Vec3<float> to_viewer = direction(radians(40.0f), radians(20.0f));
 
-  std::puts("bounces  seen in                  weight  reflectance red, green, blue");
+  std::puts("bounces  light from (x, y, z)      weight  throughput red, green, blue");
   for (const auto& lobe : bsdf.lobes(to_viewer)) {
-    const auto& [x, y, z] = std::array{lobe.direction.x, lobe.direction.y, lobe.direction.z};
+    const Vec3<float>& from = lobe.direction;
     const glm::vec3& colour = lobe.throughput;
-    std::printf("%7d  (%6.3f, %6.3f, %6.3f)  %6.4f  %.4f  %.4f  %.4f\n", lobe.bounces, x, y, z, lobe.weight,
-                colour.x, colour.y, colour.z);
+    std::printf("%7d  (%6.3f, %6.3f, %6.3f)  %.4f  %.4f  %.4f  %.4f\n", lobe.bounces, from.x, from.y, from.z,
+                lobe.weight, colour.x, colour.y, colour.z);
   }
 
-  // Under a sky of radiance 1 above x > 0 and 0 elsewhere, a path tracer would find:
+  // Under a sky of radiance 1 where y > 0 and 0 elsewhere, a path tracer would find:
   std::mt19937 random(1);
   const int paths = 100000;
   glm::vec3 radiance(0);
   for (int path = 0; path < paths; ++path) {
     const float u = static_cast<float>(random() % 65536) / 65536;
-    if (const auto sample = bsdf.sample(to_viewer, u); sample && sample->direction.x > 0)
+    if (const auto sample = bsdf.sample(to_viewer, u); sample && sample->direction.y > 0)
       radiance += sample->weight / static_cast<float>(paths);
   }
   const glm::vec3 all_sky = bsdf.albedo(to_viewer);
-  std::printf("radiance under half a sky, 100000 paths: %.2f %.2f %.2f\n", radiance.x, radiance.y, radiance.z);
+  std::printf("radiance under half a sky: %.2f %.2f %.2f\n", radiance.x, radiance.y, radiance.z);
   std::printf("directional albedo: %.4f %.4f %.4f\n", all_sky.x, all_sky.y, all_sky.z);
 }
