@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares `vgroove` on a flat plate with grooves modelled as a mesh of Mitsuba's own `conductor`.
+
+Both are seen from one direction under one patchy environment, so that wrong weights and wrong directions of lobes
+show alike. Prints a Markdown table: radiance of mesh and plug-in, their difference in standard errors, and how much
+faster the plug-in reaches the same error. Ends with status 1 if the differences are larger than noise explains."""
+
+import argparse
+import math
+import sys
+import time
+
+import mitsuba as mi
+import numpy as np
+
+# (material, aperture, θ, φ) in degrees; φ is measured from the direction across the grooves.
+CASES = [(material, aperture, theta, phi)
+         for material, aperture in [("Cu", 40), ("Cu", 60), ("Ag", 45), ("Cr", 90), ("Cu", 130), (1.5, 60), (1.5, 100)]
+         for theta, phi in [(5, 20), (35, 0), (50, 60), (75, 30)]]
+FALSE_ALARM_RATE = 1e-3  # of the whole table
+# Where all light takes one way there is no noise but that of numbers in float: sums of thousands of samples, and
+# directions on a sky with steep slopes.
+ROUNDING = 2e-5
+
+
+def facet(material):
+    """Mitsuba's parameters of a metal's name, or of the index of a dielectric."""
+    if isinstance(material, str):
+        return {"material": material}
+    return {"eta": {"type": "spectrum", "value": material}, "k": {"type": "spectrum", "value": 0.0}}
+
+
+def groove_mesh(aperture, material):
+    """Five long grooves along x with panels of unit width; the middle one opens at z = 0 above the origin."""
+    half_width, depth, half_length = math.sin(aperture / 2), math.cos(aperture / 2), 200.0
+    vertices, faces = [], []
+    for groove in range(-2, 3):
+        for y0, z0, y1, z1 in [(-half_width, 0, 0, -depth), (0, -depth, half_width, 0)]:
+            first, shift = len(vertices), 2 * half_width * groove
+            vertices += [(x, y + shift, z) for x in (-half_length, half_length) for y, z in ((y0, z0), (y1, z1))]
+            faces += [(first, first + 2, first + 3), (first, first + 3, first + 1)]
+    return vgroove.triangle_mesh("grooves", vertices, faces, bsdf={"type": "conductor", **facet(material)})
+
+
+def plate(aperture, material):
+    return {"type": "rectangle", "to_world": mi.ScalarTransform4f().scale([200, 5, 1]),
+            "bsdf": {"type": "vgroove", "aperture": math.degrees(aperture), **facet(material)}}
+
+
+def scene(surface, aperture, theta, phi, sky):
+    towards_viewer = [math.sin(theta) * math.sin(phi), math.sin(theta) * math.cos(phi), math.cos(theta)]
+    return mi.load_dict({
+        "type": "scene",
+        "integrator": {"type": "path", "max_depth": 100, "rr_depth": 100},
+        "surface": surface,
+        "sky": {"type": "envmap", "bitmap": sky, "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)},
+        "sensor": {"type": "distant", "direction": [-c for c in towards_viewer],
+                   "target": {"type": "rectangle",
+                              "to_world": mi.ScalarTransform4f().scale([1, math.sin(aperture / 2), 1])},
+                   "film": {"type": "hdrfilm", "width": 1, "height": 1, "rfilter": {"type": "box"},
+                            "component_format": "float32", "pixel_format": "rgb"},
+                   "sampler": {"type": "independent"}},
+    })
+
+
+def radiance(scene, samples, batches, seed):
+    """Mean, standard error and seconds, of the mean over the colours."""
+    start = time.perf_counter()
+    means = [float(np.mean(np.array(mi.render(scene, spp=samples // batches, seed=seed + batch))))
+             for batch in range(batches)]
+    noise = np.std(means, ddof=1) / math.sqrt(batches)
+    return np.mean(means), max(noise, ROUNDING * np.mean(means)), time.perf_counter() - start
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
+    parser.add_argument("--samples", type=int, default=400_000, help="paths per number; 400000 by default")
+    options = parser.parse_args()
+    mi.set_variant(options.variant)
+    global vgroove
+    import vgroove
+    vgroove.load()
+
+    patches = np.random.default_rng(1).uniform(0, 1, (16, 32, 3))
+    sky = mi.Bitmap(patches.astype(np.float32))
+    batches = 40
+    print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number\n")
+    print("| material | aperture | θ | φ | mesh | plug-in | difference / σ | speed at equal error |")
+    print("|---|---|---|---|---|---|---|---|")
+    differences, speeds = [], []
+    for number, (material, *angles) in enumerate(CASES):
+        aperture, theta, phi = map(math.radians, angles)
+        seed = 1000 * number
+        mesh, mesh_error, mesh_time = radiance(
+            scene(groove_mesh(aperture, material), aperture, theta, phi, sky), options.samples, batches, seed)
+        plug_in, plug_in_error, plug_in_time = radiance(
+            scene(plate(aperture, material), aperture, theta, phi, sky), options.samples, batches, seed + 500)
+        difference = (plug_in - mesh) / math.hypot(mesh_error, plug_in_error)
+        speed = mesh_error**2 * mesh_time / (plug_in_error**2 * plug_in_time)
+        differences.append(difference)
+        noisy = mesh_error > ROUNDING * mesh and plug_in_error > ROUNDING * plug_in
+        if noisy:
+            speeds.append(speed)
+        print(f"| {material} | {angles[0]}° | {angles[1]}° | {angles[2]}° | {mesh:.5f} ± {mesh_error:.5f} "
+              f"| {plug_in:.5f} ± {plug_in_error:.5f} | {difference:+.1f} | "
+              + (f"{speed:.2g} |" if noisy else "– |"), flush=True)
+
+    # Wilson and Hilferty: the cube root of χ²/n is normally distributed.
+    n = len(differences)
+    chi2 = sum(d * d for d in differences)
+    deviate = ((chi2 / n) ** (1 / 3) - (1 - 2 / (9 * n))) / math.sqrt(2 / (9 * n))
+    p_value = math.erfc(deviate / math.sqrt(2)) / 2
+    print(f"\nχ² = {chi2:.1f} for {n} cases: p = {p_value:.2g}. "
+          f"Largest difference {max(map(abs, differences)):.1f} σ. "
+          f"Speed at equal error: {math.exp(np.mean(np.log(speeds))):.1f} (geometric mean).")
+    if p_value < FALSE_ALARM_RATE:
+        print("mesh and plug-in disagree", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
