@@ -21,9 +21,9 @@ CASES = [(material, aperture, theta, phi)
 FALSE_ALARM_RATE = 1e-3  # of the whole table
 SCALE = 1000  # panel width in units of the scene
 BATCH = 250  # paths per rendering: Mitsuba adds them up in float, which loses digits when there are many
-# Mitsuba starts every ray some 1e-4 (1 + largest coordinate) off the surface. On wide panels near the origin that
-# shifts the share of a way through the groove by about as much, and no number of paths makes the mesh more accurate.
-MESH_ERROR = 1e-4
+# Rays that meet the mesh within rounding of an edge go astray: moving the mesh sideways, which should change nothing,
+# changes its radiance by up to this part of it.
+MESH_ERROR = 2e-4
 ROUNDING = 1e-5  # relative error of such a sum; where all light takes one way there is no other noise
 
 

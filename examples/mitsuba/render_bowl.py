@@ -76,11 +76,11 @@ def scene(metal_of, width, height, samples):
         "integrator": {"type": "path", "max_depth": 12},
         "sky": {"type": "envmap", "bitmap": studio(), "to_world": transform.rotate([1, 0, 0], 90)},
         "table": {"type": "rectangle", "to_world": transform.scale([30, 30, 1]),
-                  "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.06, 0.065, 0.075]}}},
-        "bowl": bowl(metal_of("Cu", 60)),
-        "disc": disc(metal_of("Ag", 130), [0.72, -1.6, 0.02]),
-        "sensor": {"type": "perspective", "fov": 24, "fov_axis": "larger",
-                   "to_world": transform.look_at([0.9, -7.0, 5.2], [0.3, -0.75, 0.2], [0, 0, 1]),
+                  "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.20, 0.20, 0.21]}}},
+        "bowl": bowl(metal_of("Cu", 75)),
+        "disc": disc(metal_of("Au", 70), [0.78, -1.62, 0.02]),
+        "sensor": {"type": "perspective", "fov": 23, "fov_axis": "larger",
+                   "to_world": transform.look_at([0.9, -7.0, 5.2], [0.30, -0.74, 0.26], [0, 0, 1]),
                    "film": {"type": "hdrfilm", "width": width, "height": height, "pixel_format": "rgb",
                             "rfilter": {"type": "gaussian"}},
                    "sampler": {"type": "multijitter", "sample_count": samples}},
@@ -100,8 +100,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", nargs="?", type=pathlib.Path, default=pathlib.Path("vgroove.png"),
                         help="PNG file to write; vgroove.png by default")
-    parser.add_argument("--width", type=int, default=440, help="pixels of one of the three pictures; 440 by default")
-    parser.add_argument("--samples", type=int, default=144, help="paths per pixel; 144 by default")
+    parser.add_argument("--width", type=int, default=360, help="pixels of one of the three pictures; 360 by default")
+    parser.add_argument("--samples", type=int, default=256, help="paths per pixel; 256 by default")
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     options = parser.parse_args()
     mi.set_variant(options.variant)
@@ -109,7 +109,7 @@ def main():
     import vgroove
     vgroove.load()
 
-    pictures = [np.array(mi.render(scene(metal, options.width, options.width * 9 // 10, options.samples)))
+    pictures = [np.array(mi.render(scene(metal, options.width, options.width, options.samples)))
                 for metal in (grooved(-1), grooved(1), flat)]
     gap = 10 * np.ones((pictures[0].shape[0], 6, 3), np.float32)
     row = 1 - np.exp(-1.1 * np.concatenate([pictures[0], gap, pictures[1], gap, pictures[2]], axis=1))  # like film
