@@ -102,7 +102,7 @@ struct Cell {
 template <class Real, class Facet>
 class HemisphereQuadrature {
  public:
-  using Value = value_t<Facet, Real>;
+  using Value = unpolarized_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
 
   HemisphereQuadrature(const Cavity<Real>& cavity, const Facet& facet, int most_bounces)
@@ -210,11 +210,11 @@ class HemisphereQuadrature {
   }
 
   Value reflectance(const Vec3<Real>& e) {
-    const auto counted = [this](const Real& cos_theta_i) {
+    const auto counted = [this](const facet_argument_t<Facet, Real>& bounce) {
       ++evaluations_;
-      return facet_(cos_theta_i);
+      return facet_(bounce);
     };
-    return directional_reflectance(cavity_, e, counted, most_bounces_);
+    return unpolarized(directional_reflectance(cavity_, e, counted, most_bounces_));
   }
 
   /// The range of ψ of the cell, cut where some bounce is at the critical angle.
@@ -286,11 +286,12 @@ class HemisphereQuadrature {
 ///        may come out larger (about 1e-15 in double)
 /// @param most_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
+/// @return the reflectance of unpolarised light
 template <class Real, FacetReflectance<Real> Facet>
-Integral<value_t<Facet, Real>> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
-                                                           const scalar_t<value_t<Facet, Real>>& tolerance,
+Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
+                                                           const scalar_t<unpolarized_t<Facet, Real>>& tolerance,
                                                            int most_bounces = all_bounces) {
-  using Scalar = scalar_t<value_t<Facet, Real>>;
+  using Scalar = scalar_t<unpolarized_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
     message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;

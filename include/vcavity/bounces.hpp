@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <concepts>
 #include <utility>
 
 #include "cavity.hpp"
@@ -31,7 +32,10 @@ class PanelImages {
   /// @param e direction towards the light
   /// @param first the panel met first
   PanelImages(const Cavity<Real>& cavity, const Vec3<Real>& e, Panel first)
-      : sine_(cavity.sin_aperture()), versine_(cavity.versine_aperture()), panel_(first) {
+      : sine_(cavity.sin_aperture()),
+        versine_(cavity.versine_aperture()),
+        along_(e.x),
+        panel_(first) {
     const Real across = first == Panel::one ? e.y : Real(-e.y);
     normal_ = across * cavity.cos_half() + e.z * cavity.sin_half();
     tangent_ = e.z * cavity.cos_half() - across * cavity.sin_half();
@@ -45,6 +49,12 @@ class PanelImages {
 
   /// e · N^(j), before any clamping of its rounding error.
   const Real& normal_component() const { return normal_; }
+
+  /// The component of e in the image, across the groove and away from the apex.
+  const Real& tangent_component() const { return tangent_; }
+
+  /// The component of e along the groove, the same at every bounce.
+  const Real& along_component() const { return along_; }
 
   /// Cosine of the angle of incidence, c_j = e · N^(j), not negative.
   Real cos_theta_i() const { return at_least(normal_, Real(0)); }
@@ -69,11 +79,23 @@ class PanelImages {
  private:
   Real sine_;
   Real versine_;
+  Real along_;
   Real normal_;
   Real tangent_;
   Panel panel_;
   int bounce_ = 1;
 };
+
+/// The value of a facet for one bounce: called with the cosine of the angle of incidence if it can be, else
+/// with the bounce itself.
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> reflect(const Facet& facet, const PanelImages<Real>& bounce) {
+  if constexpr (std::invocable<const Facet&, const Real&>) {
+    return facet(bounce.cos_theta_i());
+  } else {
+    return facet(bounce);
+  }
+}
 
 /// First panel and number of bounces of the ray through a point of the opening (Eqs. 7–13).
 ///
@@ -120,22 +142,22 @@ Vec3<Real> ray_exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e, c
 /// Reflectance of a single ray, the product of the facet reflectances along its way (Eq. 17).
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const RayPath& path,
+power_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const RayPath& path,
                                      const Facet& facet) {
   PanelImages<Real> images(cavity, e, path.first_panel);
-  auto throughput = facet(images.cos_theta_i());
+  auto throughput = reflect(facet, images);
   while (images.bounce() < path.bounces) {
     images.advance();
-    throughput = throughput * facet(images.cos_theta_i());
+    throughput = throughput * reflect(facet, images);
   }
-  return throughput;
+  return power(throughput);
 }
 
 /// Reflectance R(θ, φ, y) of the ray through a point of the opening (Eq. 17).
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position,
+power_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position,
                                      const Facet& facet) {
   return ray_reflectance(cavity, e, ray_path(cavity, e, position), facet);
 }

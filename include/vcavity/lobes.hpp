@@ -153,7 +153,7 @@ void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet&
     for (;;) {
       // Once nothing is left, counting on costs no more Fresnel evaluations.
       if (largest(throughput) >= std::numeric_limits<Scalar>::min())
-        throughput = throughput * facet(images.cos_theta_i());
+        throughput = throughput * reflect(facet, images);
       PanelImages<Real> next_images = images;
       next_images.advance();
       Real next = images.bounce() < cavity.max_bounces() ? fractions.advance(next_images) : Real(0);

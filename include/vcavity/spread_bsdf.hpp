@@ -20,7 +20,8 @@ namespace vcavity {
 template <class Real, FacetReflectance<Real> Facet>
 class SpreadGrooveBsdf {
  public:
-  using Value = value_t<Facet, Real>;
+  using Value = power_t<Facet, Real>;
+  using Throughput = value_t<Facet, Real>;
 
   /// @param grooves the BSDF of infinitely narrow lobes
   /// @param width of each lobe, in radians, in (0, 10]; see `VonMisesFisher`
@@ -35,12 +36,13 @@ class SpreadGrooveBsdf {
   /// BSDF × cosine: what radiance from `wi`, per steradian, counts towards `wo`; 0 if either is below the
   /// horizon.
   /// @param wo,wi unit vectors away from the surface
-  Value evaluate(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
+  Value evaluate(const Vec3<Real>& wo, const Vec3<Real>& wi,
+                 Transport transport = Transport::radiance) const {
     Value result(0);
     if (!detail::is_above_horizon(wi)) return result;
     for (const auto& lobe : grooves_.lobes(wo))
-      result = result + scalar(lobe.weight * density(lobe.direction, wi)) * lobe.throughput;
-    return result;
+      result = result + scalar(lobe.weight * density(lobe.direction, wi)) * power(lobe.throughput);
+    return detail::transported(result, transport);
   }
 
   /// Density per steradian with which `sample` draws `wi`; 0 if either direction is below the horizon.
@@ -57,7 +59,8 @@ class SpreadGrooveBsdf {
   /// @param u_direction two random numbers, uniform in [0, 1]
   /// @return nothing below the horizon, or when no light is left
   std::optional<BsdfSample<Real, Value>> sample(const Vec3<Real>& wo, const Real& u_lobe,
-                                                const Vec2<Real>& u_direction) const {
+                                                const Vec2<Real>& u_direction,
+                                                Transport transport = Transport::radiance) const {
     const auto lobes = grooves_.lobes(wo);
     const auto odds = grooves_.probabilities(lobes);
     const std::size_t i = detail::choose(odds, lobes.size(), u_lobe);
@@ -69,8 +72,10 @@ class SpreadGrooveBsdf {
     if (!(probability > Real(0))) return std::nullopt;
     Value weight(0);
     for (const auto& lobe : lobes)
-      weight = weight + scalar(lobe.weight * density(lobe.direction, wi) / probability) * lobe.throughput;
-    return BsdfSample<Real, Value>{wi, weight, probability, lobes[i].first_panel, lobes[i].bounces};
+      weight =
+          weight + scalar(lobe.weight * density(lobe.direction, wi) / probability) * power(lobe.throughput);
+    return BsdfSample<Real, Value>{wi, detail::transported(weight, transport), probability,
+                                   lobes[i].first_panel, lobes[i].bounces};
   }
 
  private:
@@ -81,7 +86,8 @@ class SpreadGrooveBsdf {
     return spread_.density(mean, wi) + spread_.density(mean, {wi.x, wi.y, -wi.z});
   }
 
-  Real density(const Lobes<Real, Value>& lobes, const std::array<Real, 4>& odds, const Vec3<Real>& wi) const {
+  Real density(const Lobes<Real, Throughput>& lobes, const std::array<Real, 4>& odds,
+               const Vec3<Real>& wi) const {
     Real sum(0);
     for (std::size_t i = 0; i < lobes.size(); ++i) sum += odds[i] * density(lobes[i].direction, wi);
     return sum;

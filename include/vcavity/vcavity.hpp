@@ -24,6 +24,10 @@
 #include "groove_frame.hpp"
 #include "spread_bsdf.hpp"
 #include "von_mises_fisher.hpp"
+// Light as a transverse wave: the same with polarisation.
+#include "jones.hpp"
+#include "mueller.hpp"
+#include "polarization.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"

@@ -14,7 +14,7 @@
 #include <vcavity/vcavity.hpp>
 
 #include "tools/commands/text_table.hpp"
-#include "tools/facet.hpp"
+#include "tools/error.hpp"
 #include "tools/provenance.hpp"
 
 namespace vcavity::tools {
@@ -29,22 +29,16 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
   return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
 }
 
-// The spectrum of directional reflectance, a pack of wavelengths at a time.
-void fill_spectrum(const Cavity<double>& cavity, const Vec3<double>& e,
-                   const std::vector<RefractiveIndex>& indices, int most_bounces,
-                   std::vector<double>& spectrum) {
-  spectrum.resize(indices.size());
-  for (std::size_t start = 0; start < indices.size(); start += pack_size) {
-    const std::size_t count = std::min(pack_size, indices.size() - start);
-    Wavelengths n(1.0);
-    Wavelengths k(0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      n[i] = indices[start + i].n;
-      k[i] = indices[start + i].k;
-    }
-    const Wavelengths reflectance =
-        directional_reflectance(cavity, e, Conductor<Wavelengths>(n, k), most_bounces);
-    std::copy_n(reflectance.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
+std::string in_words(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bounces:
+      return "number of bounces, mean over the opening in Y";
+    case Quantity::degree_of_polarization:
+      return "degree of polarisation under unpolarised diffuse light";
+    case Quantity::absorptance:
+      return "directional absorptance, which is the directional emissivity";
+    default:
+      return "hemispherical-directional reflectance factor";
   }
 }
 
@@ -52,6 +46,8 @@ void fill_spectrum(const Cavity<double>& cavity, const Vec3<double>& e,
 
 DiscMapper::DiscMapper(MapRequest request)
     : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+  if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
+    throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
   for (const double wavelength_nm : request_.wavelengths_nm)
     indices_.push_back(request_.material.at(wavelength_nm));
   if (request_.quantity == Quantity::bounces) {
@@ -60,7 +56,8 @@ DiscMapper::DiscMapper(MapRequest request)
     channels_ = {"Y", "A"};
   } else {
     const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
-    if (std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
+    if (request_.quantity == Quantity::reflectance &&
+        std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
       weights_.emplace(request_.wavelengths_nm);
       channels_ = {"R", "G", "B"};
     }
@@ -82,13 +79,10 @@ ExrAttributes DiscMapper::attributes() const {
                                  "across the groove, v upwards along it")}};
   const bool limited = request_.most_bounces != all_bounces;
   result["maxBounces"] = limited ? std::to_string(request_.most_bounces) : std::string("all");
-  if (request_.quantity == Quantity::bounces) {
-    result["quantity"] = std::string("number of bounces, mean over the opening in Y");
-    result["units"] = std::string("1");
-    return result;
-  }
-  result["quantity"] = std::string("hemispherical-directional reflectance factor");
+  result["quantity"] = in_words(request_.quantity);
   result["units"] = std::string("1");
+  if (request_.quantity == Quantity::bounces) return result;
+  result["polarization"] = std::string(name_of(request_.polarization));
   if (indices_.size() > 1 && request_.spectrum == Spectrum::written) result.insert(spectral_layout_version());
   if (weights_) {
     result["colour"] =
@@ -100,6 +94,36 @@ ExrAttributes DiscMapper::attributes() const {
     result["extinctionK"] = indices_.front().k;
   }
   return result;
+}
+
+template <class Facet>
+value_t<Facet, double> DiscMapper::quantity_of(const Facet& facet, const Vec3<double>& e) const {
+  using Value = value_t<Facet, double>;
+  if (request_.quantity == Quantity::absorptance && request_.polarization == Polarization::none)
+    return directional_absorptance(cavity_, e, facet);
+  return with_polarization(request_.polarization, facet, [&](const auto& model) -> Value {
+    const auto reflectance = directional_reflectance(cavity_, e, model, request_.most_bounces);
+    if constexpr (requires { diattenuation(reflectance); })
+      if (request_.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
+    if (request_.quantity == Quantity::absorptance) return Value(1) - unpolarized(reflectance);
+    return unpolarized(reflectance);
+  });
+}
+
+// A pack of wavelengths at a time.
+void DiscMapper::fill_spectrum(const Vec3<double>& e, std::vector<double>& spectrum) const {
+  spectrum.resize(indices_.size());
+  for (std::size_t start = 0; start < indices_.size(); start += pack_size) {
+    const std::size_t count = std::min(pack_size, indices_.size() - start);
+    Wavelengths n(1.0);
+    Wavelengths k(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      n[i] = indices_[start + i].n;
+      k[i] = indices_[start + i].k;
+    }
+    const Wavelengths values = quantity_of(Conductor<Wavelengths>(n, k), e);
+    std::copy_n(values.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
+  }
 }
 
 void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
@@ -118,14 +142,12 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
     return;
   }
   if (indices_.size() == 1) {
-    add(with_facet(indices_.front(), [&](const auto& facet) {
-      return directional_reflectance(cavity_, e, facet, request_.most_bounces);
-    }));
+    add(with_facet(indices_.front(), [&](const auto& facet) { return quantity_of(facet, e); }));
     add(1);
     return;
   }
   thread_local std::vector<double> spectrum;
-  fill_spectrum(cavity_, e, indices_, request_.most_bounces, spectrum);
+  fill_spectrum(e, spectrum);
   if (weights_) {
     const LinearRgb colour = to_linear_srgb(weights_->colour(spectrum));
     for (const double value : {colour.r, colour.g, colour.b}) add(value);

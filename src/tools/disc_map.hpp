@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
+#include "tools/facet.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/output/exr.hpp"
 #include "tools/output/progress.hpp"
@@ -20,7 +21,7 @@
 namespace vcavity::tools {
 
 /// What a map shows.
-enum class Quantity { reflectance, bounces };
+enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance };
 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
@@ -34,6 +35,7 @@ struct MapRequest {
   int most_bounces;
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
+  Polarization polarization = Polarization::none;
 };
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
@@ -41,9 +43,12 @@ struct MapRequest {
 /// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
 /// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
+/// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
+/// the reflectance, but have no colour.
 class DiscMapper {
  public:
-  /// Throws UsageError for a wavelength without data.
+  /// Throws UsageError for a wavelength without data, or for the degree of polarisation in a model without
+  /// polarisation.
   explicit DiscMapper(MapRequest request);
 
   const MapRequest& request() const { return request_; }
@@ -57,6 +62,9 @@ class DiscMapper {
   std::vector<std::vector<float>> rows(int first_row, int rows) const;
 
  private:
+  template <class Facet>
+  value_t<Facet, double> quantity_of(const Facet& facet, const Vec3<double>& e) const;
+  void fill_spectrum(const Vec3<double>& e, std::vector<double>& spectrum) const;
   void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
 
   MapRequest request_;

@@ -27,6 +27,15 @@ Integral<double> reflectance_of(const nlohmann::json& row, double tolerance, int
   return bihemispherical_reflectance(cavity, Conductor<double>(n, k), tolerance, most_bounces);
 }
 
+/// The same with the fields followed.
+double polarized_reflectance_of(const nlohmann::json& row, double tolerance) {
+  const Cavity<double> cavity(radians(row["aperture_deg"].get<double>()));
+  const double n = row["n"];
+  const double k = row["k"];
+  if (k == 0) return bihemispherical_reflectance(cavity, polarized(Dielectric<double>(n)), tolerance).value;
+  return bihemispherical_reflectance(cavity, polarized(Conductor<double>(n, k)), tolerance).value;
+}
+
 void check_row(const nlohmann::json& row) {
   CAPTURE(row.dump());
   const Integral<double> all = reflectance_of(row, 1e-13);
@@ -34,6 +43,8 @@ void check_row(const nlohmann::json& row) {
   CHECK(all.error <= 1e-13 + 4e-15);
   CHECK(std::abs(reflectance_of(row, 1e-13, 1).value - row["cap1"].get<double>()) < 1e-12);
   CHECK(std::abs(reflectance_of(row, 1e-13, 2).value - row["cap2"].get<double>()) < 1e-12);
+  if (row.contains("polarized") && row["polarized"].is_number())
+    CHECK(std::abs(polarized_reflectance_of(row, 1e-13) - row["polarized"].get<double>()) < 1e-12);
 }
 
 /// The reference rows come from a quadrature of fixed order, which falls short where the reflectance is

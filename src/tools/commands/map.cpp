@@ -19,18 +19,21 @@ struct MapOptions {
   std::optional<double> wavelength_nm;
   std::vector<double> wavelengths_nm;
   Quantity quantity = Quantity::reflectance;
+  Polarization polarization = Polarization::none;
   int most_bounces = all_bounces;
   std::string out;
 };
 
 void run_map(const MapOptions& options) {
-  if (options.quantity == Quantity::bounces && options.most_bounces != all_bounces)
-    throw UsageError("--max-bounces: limits the reflectance, not the count of --quantity bounces");
+  if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
+      options.most_bounces != all_bounces)
+    throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
   std::vector<double> wavelengths_nm = options.wavelengths_nm;
   if (wavelengths_nm.empty()) wavelengths_nm.push_back(options.wavelength_nm.value_or(default_wavelength_nm));
 
   const DiscMapper mapper({load_material(options.material), options.aperture_deg, wavelengths_nm,
-                           options.size, options.most_bounces, options.quantity});
+                           options.size, options.most_bounces, options.quantity, Spectrum::written,
+                           options.polarization});
   AtomicFile file(options.out);
   Progress progress(static_cast<std::uint64_t>(options.size));
   write_map(file, mapper, progress);
@@ -65,16 +68,14 @@ void add_map_command(CLI::App& program) {
           "a grid of vacuum wavelengths in nanometres; channels R, G, B and one for each wavelength")
       ->type_name("LO:HI:STEP")
       ->excludes(single);
-  command
-      ->add_option_function<std::string>(
-          "--quantity",
-          [options](const std::string& word) {
-            if (word != "reflectance" && word != "bounces")
-              throw UsageError("--quantity: '" + word + "' is not accepted, expected reflectance or bounces");
-            options->quantity = word == "bounces" ? Quantity::bounces : Quantity::reflectance;
-          },
-          "reflectance or bounces (default reflectance)")
+  add_choice(*command, "--quantity", options->quantity,
+             {{"reflectance", Quantity::reflectance},
+              {"bounces", Quantity::bounces},
+              {"dop", Quantity::degree_of_polarization},
+              {"absorptance", Quantity::absorptance}},
+             "reflectance, bounces, dop (degree of polarisation) or absorptance (default reflectance)")
       ->type_name("QUANTITY");
+  add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
   command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
   command->callback([options] { run_map(*options); });

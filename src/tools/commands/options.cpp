@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <vcavity/lobes.hpp>
 
 #include "tools/commands/text_table.hpp"
-#include "tools/error.hpp"
 #include "tools/text_file.hpp"
 
 namespace vcavity::tools {
@@ -32,12 +30,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+}  // namespace
+
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected) {
   return UsageError(std::string(option) + ": '" + std::string(word) + "' is not accepted, expected " +
                     expected);
 }
-
-}  // namespace
 
 double checked_number(std::string_view word, std::string_view option, const Interval& interval) {
   const std::optional<double> value = parse_number(word);
@@ -109,17 +107,8 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
 }
 
 void add_format(CLI::App& command, Format& format) {
-  static const std::map<std::string, Format> names{
-      {"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}};
-  command
-      .add_option_function<std::string>(
-          "--format",
-          [&format](const std::string& word) {
-            const auto found = names.find(word);
-            if (found == names.end()) throw unexpected("--format", word, "md, csv or json");
-            format = found->second;
-          },
-          "md (Markdown), csv or json (default md)")
+  add_choice(command, "--format", format, {{"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}},
+             "md (Markdown), csv or json (default md)")
       ->type_name("FORMAT");
 }
 
@@ -131,6 +120,15 @@ void add_material(CLI::App& command, std::string& specification) {
           "or 0.1249+3.3391i")
       ->type_name("M")
       ->required();
+}
+
+void add_polarization(CLI::App& command, Polarization& model) {
+  add_choice(
+      command, "--polarization", model,
+      {{"none", Polarization::none}, {"separate", Polarization::separate}, {"full", Polarization::full}},
+      "none: light is unpolarised at every bounce (the paper's model, default); separate: s and p on their "
+      "own; full: exact")
+      ->type_name("MODEL");
 }
 
 void add_max_bounces(CLI::App& command, int& most_bounces) {

@@ -20,6 +20,7 @@ struct TableOptions {
   std::vector<double> apertures_deg;
   double wavelength_nm = default_wavelength_nm;
   int most_bounces = all_bounces;
+  Polarization polarization = Polarization::none;
   double tolerance = 1e-10;
   Format format = Format::md;
 };
@@ -45,8 +46,10 @@ void run_table(const TableOptions& options) {
   for (const double aperture_deg : options.apertures_deg) {
     const Cavity<double> cavity(radians(aperture_deg));
     rows.push_back({aperture_deg, with_facet(index, [&](const auto& facet) {
-                      return bihemispherical_reflectance(cavity, facet, options.tolerance,
-                                                         options.most_bounces);
+                      return with_polarization(options.polarization, facet, [&](const auto& model) {
+                        return bihemispherical_reflectance(cavity, model, options.tolerance,
+                                                           options.most_bounces);
+                      });
                     })});
   }
 
@@ -56,6 +59,7 @@ void run_table(const TableOptions& options) {
                                   {"source", material.reference()},
                                   {"software", software()},
                                   {"command", command_line()},
+                                  {"polarization", name_of(options.polarization)},
                                   {"rows", nlohmann::ordered_json::array()}};
     for (const Row& row : rows) {
       nlohmann::ordered_json entry{{"aperture_deg", row.aperture_deg},
@@ -74,12 +78,13 @@ void run_table(const TableOptions& options) {
   }
 
   const bool markdown = options.format == Format::md;
-  TextTable table{{"aperture_deg", "wavelength_nm", "n", "k", "max_bounces", "reflectance", "error_estimate",
-                   "fresnel_evaluations"},
+  TextTable table{{"aperture_deg", "wavelength_nm", "n", "k", "polarization", "max_bounces", "reflectance",
+                   "error_estimate", "fresnel_evaluations"},
                   {}};
   for (const Row& row : rows)
     table.rows.push_back({exact(row.aperture_deg), exact(options.wavelength_nm), exact(index.n),
-                          exact(index.k), limited ? std::to_string(options.most_bounces) : "all",
+                          exact(index.k), name_of(options.polarization),
+                          limited ? std::to_string(options.most_bounces) : "all",
                           markdown ? trusted(row.reflectance) : exact(row.reflectance.value),
                           markdown ? with_digits(row.reflectance.error, 2) : exact(row.reflectance.error),
                           std::to_string(row.reflectance.evaluations)});
@@ -110,6 +115,7 @@ void add_table_command(CLI::App& program) {
   add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
              "vacuum wavelength in nanometres (default 550)")
       ->type_name("NM");
+  add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
   add_number(*command, "--tolerance", options->tolerance, tolerance_range,
              "absolute error of the reflectance to aim at, above 1e-15 and below 1 (default 1e-10)")
