@@ -3,8 +3,9 @@
 """Compares `vgroove` on a flat plate with grooves modelled as a mesh of Mitsuba's own `conductor`.
 
 Both are seen from one direction under one patchy environment, so that wrong weights and wrong directions of lobes
-show alike. Prints a Markdown table: radiance of mesh and plug-in, their difference in standard errors, and how much
-faster the plug-in reaches the same error. Ends with status 1 if the differences are larger than noise explains."""
+show alike; in a polarised variant their Stokes parameters are compared. Prints a Markdown table: radiance of mesh and
+plug-in, their difference in standard errors, and how much faster the plug-in reaches the same error. Ends with status 1
+if the differences are larger than noise explains."""
 
 import argparse
 import math
@@ -61,9 +62,10 @@ def plate(aperture, material):
 
 def scene(surface, aperture, theta, phi, sky):
     towards_viewer = [math.sin(theta) * math.sin(phi), math.sin(theta) * math.cos(phi), math.cos(theta)]
+    path = {"type": "path", "max_depth": 100, "rr_depth": 100}
     return mi.load_dict({
         "type": "scene",
-        "integrator": {"type": "path", "max_depth": 100, "rr_depth": 100},
+        "integrator": {"type": "stokes", "nested": path} if is_polarized() else path,
         "surface": surface,
         "sky": {"type": "envmap", "bitmap": sky, "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)},
         "sensor": {"type": "distant", "direction": [-c for c in towards_viewer],
@@ -74,13 +76,25 @@ def scene(surface, aperture, theta, phi, sky):
     })
 
 
+def is_polarized():
+    return mi.variant().endswith("polarized")
+
+
 def radiance(scene, samples, seed):
-    """Mean, standard error and processor seconds, of the mean over the colours."""
+    """Means, standard errors and processor seconds; one mean over the colours, or one for each of I, Q, U, V."""
     start = time.process_time()
-    means = [float(np.mean(np.array(mi.render(scene, spp=BATCH, seed=seed + batch))))
-             for batch in range(samples // BATCH)]
-    noise = np.std(means, ddof=1) / math.sqrt(len(means))
-    return np.mean(means), max(noise, ROUNDING * np.mean(means)), time.process_time() - start
+    pixels = np.array([np.ravel(mi.render(scene, spp=BATCH, seed=seed + batch)) for batch in range(samples // BATCH)],
+                      dtype=float)
+    seconds = time.process_time() - start
+    colours = pixels[:, 3:] if is_polarized() else pixels  # the stokes integrator puts the picture first
+    means = colours.reshape(len(pixels), -1, 3).mean(axis=2)
+    mean = means.mean(axis=0)
+    noise = means.std(axis=0, ddof=1) / math.sqrt(len(means))
+    return mean, np.maximum(noise, ROUNDING * mean[0]), seconds
+
+
+def numbers(values, form="{:.5f}"):
+    return ", ".join(form.format(value) for value in values)
 
 
 def main():
@@ -95,8 +109,9 @@ def main():
 
     patches = np.random.default_rng(1).uniform(0, 1, (16, 32, 3))
     sky = mi.Bitmap(patches.astype(np.float32))
+    quantity = "I, Q, U, V" if is_polarized() else "radiance"
     print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number\n")
-    print("| material | aperture | θ | φ | mesh | plug-in | difference / σ | speed at equal error |")
+    print(f"| material | aperture | θ | φ | {quantity}: mesh | plug-in | difference / σ | speed at equal error |")
     print("|---|---|---|---|---|---|---|---|")
     differences, speeds = [], []
     for number, (material, *angles) in enumerate(CASES):
@@ -106,22 +121,23 @@ def main():
             scene(groove_mesh(aperture, material), aperture, theta, phi, sky), options.samples, seed)
         plug_in, plug_in_error, plug_in_time = radiance(
             scene(plate(aperture, material), aperture, theta, phi, sky), options.samples, seed + 500_000)
-        difference = (plug_in - mesh) / math.hypot(mesh_error, plug_in_error, MESH_ERROR * mesh)
-        speed = mesh_error**2 * mesh_time / (plug_in_error**2 * plug_in_time)
-        differences.append(difference)
-        noisy = mesh_error > ROUNDING * mesh and plug_in_error > ROUNDING * plug_in
-        if noisy:
-            speeds.append(speed)
-        print(f"| {material} | {angles[0]}° | {angles[1]}° | {angles[2]}° | {mesh:.5f} ± {mesh_error:.5f} "
-              f"| {plug_in:.5f} ± {plug_in_error:.5f} | {difference:+.1f} | "
-              + (f"{speed:.2g} |" if noisy else "– |"), flush=True)
+        sigma = np.sqrt(mesh_error**2 + plug_in_error**2 + (MESH_ERROR * mesh[0])**2)
+        difference = (plug_in - mesh) / sigma
+        differences += list(difference)
+        speed = "–"
+        if mesh_error[0] > ROUNDING * mesh[0] and plug_in_error[0] > ROUNDING * plug_in[0]:
+            speeds.append(mesh_error[0]**2 * mesh_time / (plug_in_error[0]**2 * plug_in_time))
+            speed = f"{speeds[-1]:.2g}"
+        print(f"| {material} | {angles[0]}° | {angles[1]}° | {angles[2]}° | {numbers(mesh)} ± {mesh_error[0]:.5f} "
+              f"| {numbers(plug_in)} ± {plug_in_error[0]:.5f} | {numbers(difference, form='{:+.1f}')} | {speed} |",
+              flush=True)
 
     # Wilson and Hilferty: the cube root of χ²/n is normally distributed.
     n = len(differences)
     chi2 = sum(d * d for d in differences)
     deviate = ((chi2 / n) ** (1 / 3) - (1 - 2 / (9 * n))) / math.sqrt(2 / (9 * n))
     p_value = math.erfc(deviate / math.sqrt(2)) / 2
-    print(f"\nχ² = {chi2:.1f} for {n} cases: p = {p_value:.2g}. "
+    print(f"\nχ² = {chi2:.1f} for {n} numbers: p = {p_value:.2g}. "
           f"Largest difference {max(map(abs, differences)):.1f} σ. "
           f"Speed at equal error: {math.exp(np.mean(np.log(speeds))):.1f} (geometric mean).")
     if p_value < FALSE_ALARM_RATE:
