@@ -53,16 +53,21 @@ void print_row(const char* facet_name, const Facet& facet, float aperture_deg) {
   const GrooveBsdf by_energy(cavity, facet, LobeChoice::by_energy);
   const GrooveBsdf by_weight(cavity, facet, LobeChoice::by_weight);
   const SpreadGrooveBsdf spread(by_energy, 0.02f);
-  const auto weight_of = [](const auto& sample) { return sample ? largest(sample->weight) : 0.0f; };
+  const auto weight_of = [](const auto& sample) {
+    return sample ? largest(unpolarized(sample->weight)) : 0.0f;
+  };
   const double energy =
       nanoseconds(queries, [&](const Query& q) { return weight_of(by_energy.sample(q.wo, q.u)); });
   const double weight =
       nanoseconds(queries, [&](const Query& q) { return weight_of(by_weight.sample(q.wo, q.u)); });
-  const double albedo = nanoseconds(queries, [&](const Query& q) { return largest(by_energy.albedo(q.wo)); });
+  const double albedo =
+      nanoseconds(queries, [&](const Query& q) { return largest(unpolarized(by_energy.albedo(q.wo))); });
   const double value = nanoseconds(queries, [&](const Query& q) {
-    return largest(spread.evaluate(q.wo, {0, 0, 1}));
+    return largest(unpolarized(spread.evaluate(q.wo, {0, 0, 1})));
   });
-  const double fresnel = nanoseconds(queries, [&](const Query& q) { return largest(facet(q.wo.z)); });
+  const double fresnel = nanoseconds(queries, [&](const Query& q) {
+    return largest(unpolarized(power(reflect(facet, PanelImages<float>(cavity, q.wo, Panel::one)))));
+  });
   std::printf("| %s | %.0f° | %.0f | %.0f | %.0f | %.0f | %.1f |\n", facet_name, double(aperture_deg), weight,
               energy, albedo, value, fresnel);
 }
@@ -78,6 +83,8 @@ int main() {
   for (const float aperture_deg : {120.0f, 60.0f, 20.0f}) {
     print_row("one wavelength", Conductor<float>(0.27f, 3.4f), aperture_deg);
     print_row("RGB", Conductor<glm::vec3>({0.27f, 0.91f, 1.19f}, {3.41f, 2.60f, 2.36f}), aperture_deg);
+    print_row("RGB, polarised", polarized(Conductor<glm::vec3>({0.27f, 0.91f, 1.19f}, {3.41f, 2.60f, 2.36f})),
+              aperture_deg);
     print_row("8 wavelengths", Conductor<Pack<float, 8>>(n8, k8), aperture_deg);
   }
 }

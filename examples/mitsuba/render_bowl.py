@@ -100,7 +100,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", nargs="?", type=pathlib.Path, default=pathlib.Path("vgroove.png"),
                         help="PNG file to write; vgroove.png by default")
-    parser.add_argument("--width", type=int, default=360, help="pixels of one of the three pictures; 360 by default")
+    parser.add_argument("--width", type=int, default=310, help="pixels of one of the three pictures; 310 by default")
     parser.add_argument("--samples", type=int, default=256, help="paths per pixel; 256 by default")
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     options = parser.parse_args()
@@ -114,7 +114,7 @@ def main():
     gap = 10 * np.ones((pictures[0].shape[0], 6, 3), np.float32)
     row = 1 - np.exp(-1.1 * np.concatenate([pictures[0], gap, pictures[1], gap, pictures[2]], axis=1))  # like film
     mi.Bitmap(row.astype(np.float32)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.UInt8, True).write(
-        str(options.output))
+        str(options.output), quality=9)
 
 
 if __name__ == "__main__":

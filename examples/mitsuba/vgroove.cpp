@@ -6,9 +6,11 @@
 ///  - `material`      name of one of Mitsuba's metals ("Cu", "Ag", …), or
 ///  - `eta`, `k`      spectra of the refractive index n + ik; k = 0 (the default) reflects like a dielectric
 ///  - `aperture`      angle between the panels in degrees, in (0, 180]; 60 by default
-///  - `rotation`      angle in degrees from the surface's ∂p/∂u to the groove, counter-clockwise about the normal; 0
+///  - `rotation`      angle in degrees from the surface's ∂p/∂u to the groove, counter-clockwise about the
+///  normal; 0
 ///  - `max_bounces`   light that needs more bounces is lost; −1, the default, follows all
-///  - `polarized`     whether fields are followed exactly through the groove, or light counts as unpolarised at each
+///  - `polarized`     whether fields are followed exactly through the groove, or light counts as unpolarised
+///  at each
 ///                    bounce; true in polarised variants, false, like Mitsuba, in others
 ///  - `lobe_width`    angular spread of each mirror direction in degrees (see spread_bsdf.hpp); 0 by default
 ///
@@ -57,17 +59,18 @@ class VGroove final : public BSDF<Float, Spectrum> {
     m_components.push_back(m_flags);
   }
 
-  std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext& context, const SurfaceInteraction3f& si, Float u_lobe,
-                                           const Point2f& u_direction, Mask) const override {
+  std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext& context, const SurfaceInteraction3f& si,
+                                           Float u_lobe, const Point2f& u_direction, Mask) const override {
     BSDFSample3f result = dr::zeros<BSDFSample3f>();
     Spectrum weight(0.f);
     if (!context.is_enabled(kind())) return {result, weight};
     with_facet(si, [&](const auto& facet) {
       const auto bsdf = grooves(facet);
       const Vector wo = to_groove(si.wi);
-      const auto drawn = lobe_width_ > 0 ? vcavity::SpreadGrooveBsdf(bsdf, lobe_width_)
-                                               .sample(wo, u_lobe, {u_direction.x(), u_direction.y()}, transport(context))
-                                         : bsdf.sample(wo, u_lobe, transport(context));
+      const auto drawn = lobe_width_ > 0
+                             ? vcavity::SpreadGrooveBsdf(bsdf, lobe_width_)
+                                   .sample(wo, u_lobe, {u_direction.x(), u_direction.y()}, transport(context))
+                             : bsdf.sample(wo, u_lobe, transport(context));
       if (!drawn) return;
       result.wo = from_groove(drawn->direction);
       result.pdf = drawn->probability;
@@ -79,7 +82,8 @@ class VGroove final : public BSDF<Float, Spectrum> {
     return {result, weight};
   }
 
-  Spectrum eval(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wo, Mask) const override {
+  Spectrum eval(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wo,
+                Mask) const override {
     Spectrum result(0.f);
     if (!(lobe_width_ > 0) || !context.is_enabled(kind())) return result;
     with_facet(si, [&](const auto& facet) {
@@ -90,7 +94,8 @@ class VGroove final : public BSDF<Float, Spectrum> {
     return result;
   }
 
-  Float pdf(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wo, Mask) const override {
+  Float pdf(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wo,
+            Mask) const override {
     Float result = 0.f;
     if (!(lobe_width_ > 0) || !context.is_enabled(kind())) return result;
     with_facet(si, [&](const auto& facet) {
@@ -123,10 +128,13 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Wavelengths = vcavity::Pack<float, dr::size_v<UnpolarizedSpectrum>>;
   using Vector = vcavity::Vec3<float>;
 
-  BSDFFlags kind() const { return lobe_width_ > 0 ? BSDFFlags::GlossyReflection : BSDFFlags::DeltaReflection; }
+  BSDFFlags kind() const {
+    return lobe_width_ > 0 ? BSDFFlags::GlossyReflection : BSDFFlags::DeltaReflection;
+  }
 
   static vcavity::Transport transport(const BSDFContext& context) {
-    return context.mode == TransportMode::Radiance ? vcavity::Transport::radiance : vcavity::Transport::importance;
+    return context.mode == TransportMode::Radiance ? vcavity::Transport::radiance
+                                                   : vcavity::Transport::importance;
   }
 
   static Wavelengths wavelengths(const UnpolarizedSpectrum& spectrum) {
@@ -139,7 +147,8 @@ class VGroove final : public BSDF<Float, Spectrum> {
   /// Calls `use` with the facet at a point, whose type says whether it follows polarisation.
   template <class Use>
   void with_facet(const SurfaceInteraction3f& si, Use&& use) const {
-    const vcavity::Conductor<Wavelengths> facet(wavelengths(eta_->eval(si, true)), wavelengths(k_->eval(si, true)));
+    const vcavity::Conductor<Wavelengths> facet(wavelengths(eta_->eval(si, true)),
+                                                wavelengths(k_->eval(si, true)));
     if (polarized_)
       use(vcavity::polarized(facet));
     else
@@ -184,7 +193,8 @@ class VGroove final : public BSDF<Float, Spectrum> {
 
   /// From the shading frame to the frame of the groove, and back.
   Vector to_groove(const Vector3f& v) const {
-    return {cos_rotation_ * v.x() + sin_rotation_ * v.y(), cos_rotation_ * v.y() - sin_rotation_ * v.x(), v.z()};
+    return {cos_rotation_ * v.x() + sin_rotation_ * v.y(), cos_rotation_ * v.y() - sin_rotation_ * v.x(),
+            v.z()};
   }
   Vector3f from_groove(const Vector& v) const {
     return {cos_rotation_ * v.x - sin_rotation_ * v.y, cos_rotation_ * v.y + sin_rotation_ * v.x, v.z};

@@ -29,7 +29,7 @@ class Mueller {
   explicit Mueller(int light) {
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = 0; column < 4; ++column)
-        rows_[row][column] = Value(row == column ? light : 0);
+        rows_[row][column] = Value(value_type(row == column ? light : 0));
   }
 
   /// What a Jones matrix does to intensities: M_ij = ½ tr(σ_i J σ_j J†), with the Pauli matrices in the order

@@ -181,7 +181,9 @@ TEST_CASE("no light is drawn below the horizon, from there, or from nowhere") {
   }
   Situations situations(7);
   for (int trial = 0; trial < 20000; ++trial) {
-    const GrooveBsdf grooves(situations.cavity(), white);
+    // Rounding puts light below the horizon where the groove is almost flat.
+    const Cavity<float> flat(std::nextafter(pi<float>(), 0.0f));
+    const GrooveBsdf grooves(trial % 2 == 0 ? flat : situations.cavity(), white);
     const float tilt = std::pow(10.0f, -8 * situations.uniform());
     const float azimuth = 2 * pi<float>() * situations.uniform();
     const Vec3<float> grazing = direction(std::acos(tilt), azimuth);
