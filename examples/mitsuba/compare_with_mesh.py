@@ -21,6 +21,7 @@ CASES = [(material, aperture, theta, phi)
          for theta, phi in [(5, 20), (35, 0), (50, 60), (75, 30)]]
 FALSE_ALARM_RATE = 1e-3  # of the whole table
 SCALE = 1000  # panel width in units of the scene
+FLAT_TOLERANCE = 1e-5  # of elements of Mueller matrices in float, after two rotations of their axes
 BATCH = 250  # paths per rendering: Mitsuba adds them up in float, which loses digits when there are many
 # Rays that meet the mesh within rounding of an edge go astray: moving the mesh sideways, which should change nothing,
 # changes its radiance by up to this part of it.
@@ -35,11 +36,11 @@ def facet(material):
     return {"eta": {"type": "spectrum", "value": material}, "k": {"type": "spectrum", "value": 0.0}}
 
 
-def groove_mesh(aperture, material):
-    """Five long grooves along x; the apex of the middle one is the origin."""
+def groove_mesh(aperture, material, grooves):
+    """Long grooves along x, an odd number; the apex of the middle one is the origin."""
     half_width, depth, half_length = math.sin(aperture / 2), math.cos(aperture / 2), 200.0
     vertices, faces = [], []
-    for groove in range(-2, 3):
+    for groove in range(-(grooves // 2), grooves // 2 + 1):
         for y0, z0, y1, z1 in [(-half_width, depth, 0, 0), (0, 0, half_width, depth)]:
             first, shift = len(vertices), 2 * half_width * groove
             vertices += [(x, y + shift, z) for x in (-half_length, half_length) for y, z in ((y0, z0), (y1, z1))]
@@ -93,6 +94,26 @@ def radiance(scene, samples, seed):
     return mean, np.maximum(noise, ROUNDING * mean[0]), seconds
 
 
+def flat_difference(rng, trials=500):
+    """Largest difference of an element between the Mueller matrices of `vgroove` with an aperture of 180° and of
+    `conductor`, in both transport directions: their axes and signs must be the same."""
+    largest = 0.0
+    for material in ("Cu", 1.5):
+        flat = mi.load_dict({"type": "vgroove", "aperture": 180.0, "rotation": 25.0, **facet(material)})
+        conductor = mi.load_dict({"type": "conductor", **facet(material)})
+        for _ in range(trials):
+            si = mi.SurfaceInteraction3f()
+            si.wavelengths = rng.uniform(400, 700, 4)
+            cos_theta, phi = rng.uniform(0.01, 1), rng.uniform(0, 2 * math.pi)
+            sin_theta = math.sqrt(1 - cos_theta**2)
+            si.wi = [sin_theta * math.cos(phi), sin_theta * math.sin(phi), cos_theta]
+            for mode in (mi.TransportMode.Radiance, mi.TransportMode.Importance):
+                weights = [np.array(bsdf.sample(mi.BSDFContext(mode), si, 0.5, [0.5, 0.5])[1])
+                           for bsdf in (flat, conductor)]
+                largest = max(largest, np.abs(weights[0] - weights[1]).max())
+    return largest
+
+
 def numbers(values, form="{:.5f}"):
     return ", ".join(form.format(value) for value in values)
 
@@ -101,16 +122,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     parser.add_argument("--samples", type=int, default=400_000, help="paths per number; 400000 by default")
+    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
+    parser.add_argument("--grooves", type=int, default=5,
+                        help="grooves of the mesh, an odd number; 5 by default, which traces fastest")
     options = parser.parse_args()
+    if options.grooves < 1 or options.grooves % 2 == 0:
+        parser.error(f"--grooves must be an odd number, not {options.grooves}")
     mi.set_variant(options.variant)
     global vgroove
     import vgroove
-    vgroove.load()
+    vgroove.load(options.plug_in)
 
     patches = np.random.default_rng(1).uniform(0, 1, (16, 32, 3))
     sky = mi.Bitmap(patches.astype(np.float32))
     quantity = "I, Q, U, V" if is_polarized() else "radiance"
-    print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number\n")
+    print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number, mesh of {options.grooves} grooves\n")
     print(f"| material | aperture | θ | φ | {quantity}: mesh | plug-in | difference / σ | speed at equal error |")
     print("|---|---|---|---|---|---|---|---|")
     differences, speeds = [], []
@@ -118,7 +144,7 @@ def main():
         aperture, theta, phi = map(math.radians, angles)
         seed = 1_000_000 * number
         mesh, mesh_error, mesh_time = radiance(
-            scene(groove_mesh(aperture, material), aperture, theta, phi, sky), options.samples, seed)
+            scene(groove_mesh(aperture, material, options.grooves), aperture, theta, phi, sky), options.samples, seed)
         plug_in, plug_in_error, plug_in_time = radiance(
             scene(plate(aperture, material), aperture, theta, phi, sky), options.samples, seed + 500_000)
         sigma = np.sqrt(mesh_error**2 + plug_in_error**2 + (MESH_ERROR * mesh[0])**2)
@@ -143,6 +169,12 @@ def main():
     if p_value < FALSE_ALARM_RATE:
         print("mesh and plug-in disagree", file=sys.stderr)
         return 1
+    if is_polarized():
+        difference = flat_difference(np.random.default_rng(2))
+        print(f"Largest difference of a Mueller matrix between vgroove at 180° and conductor: {difference:.1g}.")
+        if not difference < FLAT_TOLERANCE:
+            print("Mueller matrices of a flat surface disagree", file=sys.stderr)
+            return 1
     return 0
 
 

@@ -103,11 +103,12 @@ def main():
     parser.add_argument("--width", type=int, default=310, help="pixels of one of the three pictures; 310 by default")
     parser.add_argument("--samples", type=int, default=256, help="paths per pixel; 256 by default")
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
+    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
     mi.set_variant(options.variant)
     global vgroove
     import vgroove
-    vgroove.load()
+    vgroove.load(options.plug_in)
 
     pictures = [np.array(mi.render(scene(metal, options.width, options.width, options.samples)))
                 for metal in (grooved(-1), grooved(1), flat)]

@@ -9,12 +9,13 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def load(build_folder=ROOT / "build" / "mitsuba"):
-    """Puts the folder of the built plug-in on Mitsuba's search path. Call it after `mi.set_variant`."""
-    if not (pathlib.Path(build_folder) / "plugins" / "vgroove.so").exists():
-        raise SystemExit(f"{build_folder} holds no plugins/vgroove.so; build it first:\n"
-                         f"  cmake -S {ROOT}/examples/mitsuba -B {build_folder} && cmake --build {build_folder}")
-    mi.file_resolver().prepend(str(build_folder))
+def load(build_folder=None):
+    """Puts the folder of the built plug-in, build/mitsuba by default, on Mitsuba's search path."""
+    folder = pathlib.Path(build_folder or ROOT / "build" / "mitsuba")
+    if not (folder / "plugins" / "vgroove.so").exists():
+        raise SystemExit(f"{folder} holds no plugins/vgroove.so; build it first:\n"
+                         f"  cmake -S {ROOT}/examples/mitsuba -B {folder} && cmake --build {folder}")
+    mi.file_resolver().prepend(str(folder))
 
 
 def triangle_mesh(name, vertices, faces, texcoords=None, bsdf=None):
