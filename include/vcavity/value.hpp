@@ -74,6 +74,13 @@ const Value& unpolarized(const Value& reflectance) {
   return reflectance;
 }
 
+/// What becomes of light that travels the same way backwards: the same, unless an overload for its type says
+/// otherwise.
+template <class Value>
+const Value& reversed(const Value& reflectance) {
+  return reflectance;
+}
+
 /// What `unpolarized` makes of the reflectance of a groove.
 template <class Facet, class Real>
 using unpolarized_t = std::remove_cvref_t<decltype(unpolarized(std::declval<const power_t<Facet, Real>&>()))>;
