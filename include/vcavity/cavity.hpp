@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "conventions.hpp"
+#include "value.hpp"
 
 namespace vcavity {
 
@@ -15,23 +16,25 @@ namespace vcavity {
 template <class Real>
 class Cavity {
  public:
-  /// @param aperture the angle between the panels in (0, π]; π is a flat surface
+  /// @param aperture the angle between the panels in (0, π]; π is a flat surface, and so is what rounding (4 ε)
+  /// has lifted above it
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
-  explicit Cavity(const Real& aperture) : aperture_(aperture) {
-    if (!(aperture > Real(0) && aperture <= pi<Real>())) {
+  explicit Cavity(const Real& aperture) : aperture_(at_most(aperture, pi<Real>())) {
+    const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
+    if (!(aperture > Real(0) && aperture <= pi<Real>() * (Real(1) + rounding))) {
       std::ostringstream message;
       message << "the aperture of a groove must lie in (0, π] radians, not " << aperture;
       throw std::invalid_argument(message.str());
     }
     using std::cos;
     using std::sin;
-    sin_half_ = sin(aperture / Real(2));
-    const Real sin_quarter = sin(aperture / Real(4));
+    sin_half_ = sin(aperture_ / Real(2));
+    const Real sin_quarter = sin(aperture_ / Real(4));
     versine_half_ = Real(2) * sin_quarter * sin_quarter;
     // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
-    cos_half_ = cos(aperture / Real(2));
+    cos_half_ = cos(aperture_ / Real(2));
     if (cos_half_ < Real(0)) cos_half_ = Real(0);
-    max_bounces_ = most_bounces_at(aperture);
+    max_bounces_ = most_bounces_at(aperture_);
   }
 
   /// The angle α between the panels.

@@ -18,6 +18,14 @@ TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refus
   CHECK_NOTHROW(Cavity<Real>(pi<Real>()));
 }
 
+TEMPLATE_LIST_TEST_CASE("an aperture that rounding has lifted above π is a flat surface", "", Reals) {
+  using Real = TestType;
+  const Cavity<Real> flat(pi<Real>() * (Real(1) + Real(2) * epsilon<Real>()));
+  CHECK(flat.aperture() == pi<Real>());
+  CHECK(flat.max_bounces() == 1);
+  CHECK_THROWS_AS(Cavity<Real>(pi<Real>() * (Real(1) + Real(16) * epsilon<Real>())), std::invalid_argument);
+}
+
 TEMPLATE_LIST_TEST_CASE("panel normals are unit vectors that face each other across the groove", "", Reals) {
   using Real = TestType;
   const Cavity<Real> cavity(radians(Real(70)));

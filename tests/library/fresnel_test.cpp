@@ -120,8 +120,8 @@ TEMPLATE_LIST_TEST_CASE("weak contrast keeps its digits", "", HardwareReals) {
     for (const double cosine : {1.0, 0.9, 0.5, 0.1}) {
       const Real c = static_cast<Real>(cosine);
       const Wide exact = Textbook(1 + Wide(n_minus_1), Wide(0), Wide(c)).reflectance();
-      CHECK(error_in_epsilons(Dielectric<Real>::from_contrast(n_minus_1)(c), exact) < 12);
-      CHECK(error_in_epsilons(Conductor<Real>::from_contrast(n_minus_1, Real(0))(c), exact) < 12);
+      CHECK(error_in_epsilons(Dielectric<Real>::from_contrast(n_minus_1)(c), exact) < 8);
+      CHECK(error_in_epsilons(Conductor<Real>::from_contrast(n_minus_1, Real(0))(c), exact) < 8);
     }
   }
 }
