@@ -34,6 +34,7 @@ struct MapOptions {
 };
 
 void run_map(const MapOptions& options) {
+  if (options.out.empty() && !options.effects.explain) throw UsageError("--out: expected a file to write");
   if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
       options.most_bounces != all_bounces)
     throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
@@ -120,7 +121,7 @@ void add_map_command(CLI::App& program) {
       ->type_name("SKY.exr")
       ->excludes("--wavelengths")
       ->excludes("--effects");
-  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
+  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr");
   command->callback([options] { run_map(*options); });
 }
 
