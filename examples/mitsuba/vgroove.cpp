@@ -3,16 +3,14 @@
 /// `vgroove`: a BSDF plug-in for Mitsuba 3, specular V-grooves with all their bounces.
 ///
 /// Parameters:
-///  - `material`      name of one of Mitsuba's metals ("Cu", "Ag", …), or
-///  - `eta`, `k`      spectra of the refractive index n + ik; k = 0 (the default) reflects like a dielectric
-///  - `aperture`      angle between the panels in degrees, in (0, 180]; 60 by default
-///  - `rotation`      angle in degrees from the surface's ∂p/∂u to the groove, counter-clockwise about the
-///  normal; 0
-///  - `max_bounces`   light that needs more bounces is lost; −1, the default, follows all
-///  - `polarized`     whether fields are followed exactly through the groove, or light counts as unpolarised
-///  at each
-///                    bounce; true in polarised variants, false, like Mitsuba, in others
-///  - `lobe_width`    angular spread of each mirror direction in degrees (see spread_bsdf.hpp); 0 by default
+///  - `material`     name of one of Mitsuba's metals ("Cu", "Ag", …), or
+///  - `eta`, `k`     spectra of the index n + ik; k = 0, the default, reflects like a dielectric
+///  - `aperture`     angle between the panels in degrees, in (0, 180]; 60 by default
+///  - `rotation`     degrees from ∂p/∂u to the groove, counter-clockwise about the normal; 0 by default
+///  - `max_bounces`  light that needs more bounces is lost; −1, the default, follows all
+///  - `polarized`    whether fields are followed through the groove, or light counts as unpolarised at
+///                   each bounce; true in polarised variants, false, like Mitsuba, in others
+///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
 /// One-sided, like `conductor`. Built for the scalar variants.
 
