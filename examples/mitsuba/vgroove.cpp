@@ -42,6 +42,8 @@ class VGroove final : public BSDF<Float, Spectrum> {
     cos_rotation_ = std::cos(rotation);
     sin_rotation_ = std::sin(rotation);
     const int max_bounces = props.get<int>("max_bounces", -1);
+    if (max_bounces == 0 || max_bounces < -1)
+      Throw("vgroove: max_bounces must be positive or -1, not %d", max_bounces);
     most_bounces_ = max_bounces < 0 ? vcavity::all_bounces : max_bounces;
     if (props.has_property("material")) {
       if (props.has_property("eta") || props.has_property("k"))
