@@ -50,10 +50,11 @@ class VGroove final : public BSDF<Float, Spectrum> {
         Throw("vgroove: give either a material or eta and k");
       std::tie(eta_, k_) = complex_ior_from_file<Spectrum, Texture>(props.get<std::string>("material"));
     } else {
+      if (!props.has_property("eta")) Throw("vgroove: give a material, or eta and k");
       eta_ = props.get_unbounded_texture<Texture>("eta");
       k_ = props.get_unbounded_texture<Texture>("k", 0.f);
     }
-    if (lobe_width_ > 0) (void)vcavity::VonMisesFisher<float>(lobe_width_);  // refuses what is no width
+    if (lobe_width_ != 0) (void)vcavity::VonMisesFisher<float>(lobe_width_);  // refuses what is no width
     const BSDFFlags lobes = lobe_width_ > 0 ? BSDFFlags::GlossyReflection : BSDFFlags::DeltaReflection;
     m_flags = lobes | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
