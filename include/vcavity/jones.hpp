@@ -23,10 +23,10 @@ struct Jones {
 
   /// 1: the field stays as it is. 0: no light at all.
   explicit Jones(int light)
-      : aa{Value(value_type(light)), Value(0)},
+      : aa{Value(static_cast<value_type>(light)), Value(0)},
         ab{Value(0), Value(0)},
         ba{Value(0), Value(0)},
-        bb{Value(value_type(light)), Value(0)} {}
+        bb{Value(static_cast<value_type>(light)), Value(0)} {}
 
   /// `first` followed by `second`; the matrix product in the opposite order.
   friend Jones operator*(const Jones& first, const Jones& second) {

@@ -29,7 +29,7 @@ class Mueller {
   explicit Mueller(int light) {
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = 0; column < 4; ++column)
-        rows_[row][column] = Value(value_type(row == column ? light : 0));
+        rows_[row][column] = Value(static_cast<value_type>(row == column ? light : 0));
   }
 
   /// What a Jones matrix does to intensities: M_ij = ½ tr(σ_i J σ_j J†), with the Pauli matrices in the order
@@ -55,17 +55,6 @@ class Mueller {
   }
   friend Mueller operator*(const value_type& s, const Mueller& a) {
     return map([&s](const Value& x) { return s * x; }, a);
-  }
-
-  /// What becomes of light that travels the same way backwards. By Helmholtz reciprocity the Jones matrix is
-  /// transposed; and of the axes of light that travels along −k, a is the same and b the opposite, so that U
-  /// changes sign.
-  friend Mueller reversed(const Mueller& a) {
-    Mueller result;
-    for (std::size_t row = 0; row < 4; ++row)
-      for (std::size_t column = 0; column < 4; ++column)
-        result.rows_[row][column] = (row == 2) == (column == 2) ? a(column, row) : -a(column, row);
-    return result;
   }
 
   /// The light that `light` becomes.

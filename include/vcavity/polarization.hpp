@@ -49,7 +49,8 @@ struct SeparatePolarizations {
   SeparatePolarizations(const Value& s_part, const Value& p_part) : s(s_part), p(p_part) {}
 
   /// 1: all reflected. 0: no light at all.
-  explicit SeparatePolarizations(int light) : s(Value(value_type(light))), p(Value(value_type(light))) {}
+  explicit SeparatePolarizations(int light)
+      : s(Value(static_cast<value_type>(light))), p(Value(static_cast<value_type>(light))) {}
 
   friend SeparatePolarizations operator*(const SeparatePolarizations& a, const SeparatePolarizations& b) {
     return {a.s * b.s, a.p * b.p};

@@ -28,6 +28,8 @@
 #include "jones.hpp"
 #include "mueller.hpp"
 #include "polarization.hpp"
+// What of all this a scene needs.
+#include "planner.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"

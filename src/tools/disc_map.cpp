@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -21,13 +22,10 @@ namespace vcavity::tools {
 namespace {
 
 // Wavelengths that are computed together; two registers of AVX2.
-constexpr std::size_t pack_size = 8;
-using Wavelengths = Pack<double, pack_size>;
-
-std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
-  const double scale = std::numbers::sqrt2 / size;
-  return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
-}
+template <class Real>
+constexpr std::size_t pack_size = 64 / sizeof(Real);
+template <class Real>
+using Wavelengths = Pack<Real, pack_size<Real>>;
 
 std::string in_words(Quantity quantity) {
   switch (quantity) {
@@ -44,14 +42,23 @@ std::string in_words(Quantity quantity) {
 
 }  // namespace
 
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
+  const double scale = std::numbers::sqrt2 / size;
+  return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
+}
+
 DiscMapper::DiscMapper(MapRequest request)
-    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+    : request_(std::move(request)),
+      cavity_(radians(request_.aperture_deg)),
+      cavity_in_single_(std::min(static_cast<float>(cavity_.aperture()), pi<float>())) {
   if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
     throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
   for (const double wavelength_nm : request_.wavelengths_nm)
     indices_.push_back(request_.material.at(wavelength_nm));
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
+  } else if (request_.environment) {
+    channels_ = {"R", "G", "B", "A"};
   } else if (indices_.size() == 1) {
     channels_ = {"Y", "A"};
   } else {
@@ -83,7 +90,12 @@ ExrAttributes DiscMapper::attributes() const {
   result["units"] = std::string("1");
   if (request_.quantity == Quantity::bounces) return result;
   result["polarization"] = std::string(name_of(request_.polarization));
-  if (indices_.size() > 1 && request_.spectrum == Spectrum::written) result.insert(spectral_layout_version());
+  if (request_.environment) {
+    result["quantity"] = std::string("radiance reflected from the environment");
+    result["units"] = std::string("those of the environment");
+  }
+  if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
+    result.insert(spectral_layout_version());
   if (weights_) {
     result["colour"] =
         std::string("linear sRGB of the spectrum under D65, CIE 1931 2 degree observer; unclipped");
@@ -96,13 +108,15 @@ ExrAttributes DiscMapper::attributes() const {
   return result;
 }
 
-template <class Facet>
-value_t<Facet, double> DiscMapper::quantity_of(const Facet& facet, const Vec3<double>& e) const {
-  using Value = value_t<Facet, double>;
+template <class Real, class Facet>
+value_t<Facet, Real> DiscMapper::quantity_of(const Cavity<Real>& cavity, const Facet& facet,
+                                             const Vec3<double>& direction) const {
+  using Value = value_t<Facet, Real>;
+  const Vec3<Real> e(direction);
   if (request_.quantity == Quantity::absorptance && request_.polarization == Polarization::none)
-    return directional_absorptance(cavity_, e, facet);
+    return directional_absorptance(cavity, e, facet);
   return with_polarization(request_.polarization, facet, [&](const auto& model) -> Value {
-    const auto reflectance = directional_reflectance(cavity_, e, model, request_.most_bounces);
+    const auto reflectance = directional_reflectance(cavity, e, model, request_.most_bounces);
     if constexpr (requires { diattenuation(reflectance); })
       if (request_.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
     if (request_.quantity == Quantity::absorptance) return Value(1) - unpolarized(reflectance);
@@ -111,19 +125,54 @@ value_t<Facet, double> DiscMapper::quantity_of(const Facet& facet, const Vec3<do
 }
 
 // A pack of wavelengths at a time.
-void DiscMapper::fill_spectrum(const Vec3<double>& e, std::vector<double>& spectrum) const {
+template <class Real>
+void DiscMapper::fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e,
+                               std::vector<double>& spectrum) const {
   spectrum.resize(indices_.size());
-  for (std::size_t start = 0; start < indices_.size(); start += pack_size) {
-    const std::size_t count = std::min(pack_size, indices_.size() - start);
-    Wavelengths n(1.0);
-    Wavelengths k(0.0);
+  for (std::size_t start = 0; start < indices_.size(); start += pack_size<Real>) {
+    const std::size_t count = std::min(pack_size<Real>, indices_.size() - start);
+    Wavelengths<Real> n(1);
+    Wavelengths<Real> k(0);
     for (std::size_t i = 0; i < count; ++i) {
-      n[i] = indices_[start + i].n;
-      k[i] = indices_[start + i].k;
+      n[i] = static_cast<Real>(indices_[start + i].n);
+      k[i] = static_cast<Real>(indices_[start + i].k);
     }
-    const Wavelengths values = quantity_of(Conductor<Wavelengths>(n, k), e);
+    const Wavelengths<Real> values = quantity_of(cavity, Conductor<Wavelengths<Real>>(n, k), e);
     std::copy_n(values.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
   }
+}
+
+// Valid until the next call on the same thread.
+const std::vector<double>& DiscMapper::spectrum(const Vec3<double>& e) const {
+  thread_local std::vector<double> values;
+  if (request_.precision == Precision::single_precision) {
+    fill_spectrum(cavity_in_single_, e, values);
+  } else if (indices_.size() > 1) {
+    fill_spectrum(cavity_, e, values);
+  } else {
+    values.assign(
+        1, with_facet(indices_.front(), [&](const auto& facet) { return quantity_of(cavity_, facet, e); }));
+  }
+  return values;
+}
+
+Xyz DiscMapper::colour(const Vec3<double>& e) const {
+  return weights_->colour(spectrum(e));
+}
+
+// A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
+// wide as its weight, and in it the environment behind the lobe.
+glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
+  const auto index = [&](std::size_t channel) { return indices_[std::min(channel, indices_.size() - 1)]; };
+  const Conductor<glm::dvec3> facet({index(0).n, index(1).n, index(2).n},
+                                    {index(0).k, index(1).k, index(2).k});
+  return with_polarization(request_.polarization, facet, [&](const auto& model) {
+    glm::dvec3 sum(0.0);
+    for (const auto& lobe : lobes(cavity_, e, model, request_.most_bounces))
+      sum +=
+          lobe.weight * unpolarized(power(lobe.throughput)) * request_.environment->radiance(lobe.direction);
+    return sum;
+  });
 }
 
 void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
@@ -141,20 +190,24 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
     for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
     return;
   }
-  if (indices_.size() == 1) {
-    add(with_facet(indices_.front(), [&](const auto& facet) { return quantity_of(facet, e); }));
+  if (request_.environment) {
+    const glm::dvec3 radiance = reflected_radiance(e);
+    for (const double value : {radiance.r, radiance.g, radiance.b, 1.0}) add(value);
+    return;
+  }
+  const std::vector<double>& values = spectrum(e);
+  if (values.size() == 1) {
+    add(values.front());
     add(1);
     return;
   }
-  thread_local std::vector<double> spectrum;
-  fill_spectrum(e, spectrum);
   if (weights_) {
-    const LinearRgb colour = to_linear_srgb(weights_->colour(spectrum));
+    const LinearRgb colour = to_linear_srgb(weights_->colour(values));
     for (const double value : {colour.r, colour.g, colour.b}) add(value);
   }
   add(1);
   if (request_.spectrum == Spectrum::written)
-    for (const double value : spectrum) add(value);
+    for (const double value : values) add(value);
 }
 
 std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const {
@@ -165,13 +218,17 @@ std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const 
   std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
   tbb::parallel_for(0, rows, [&](int row) {
     thread_local std::vector<float> pixel;
-    // The groove is its own mirror image: the left half of a row tells the right half.
-    for (int column = 0; column < (size + 1) / 2; ++column) {
+    // The groove is its own mirror image: the left half of a row tells the right half, under any light that
+    // is symmetric too.
+    const bool symmetric = !request_.environment;
+    for (int column = 0; column < (symmetric ? (size + 1) / 2 : size); ++column) {
       const auto e = pixel_direction(column, first_row + row, size);
       if (!e) continue;
       fill_pixel(*e, pixel);
-      for (std::size_t channel = 0; channel < planes.size(); ++channel)
-        planes[channel][at(row, column)] = planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      for (std::size_t channel = 0; channel < planes.size(); ++channel) {
+        planes[channel][at(row, column)] = pixel[channel];
+        if (symmetric) planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      }
     }
   });
   return planes;

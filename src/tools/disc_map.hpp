@@ -7,12 +7,15 @@
 /// v = √2 (N − 1 − 2 row)/N: across the groove to the right, along it upwards. Pixels whose centre lies
 /// outside the disc hold 0 in all channels; those inside hold 1 in the channel `A`.
 
+#include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vcavity/cavity.hpp>
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
+#include "tools/environment.hpp"
 #include "tools/facet.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/output/exr.hpp"
@@ -26,6 +29,9 @@ enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
 
+/// The numbers a map is computed with.
+enum class Precision { double_precision, single_precision };
+
 /// A map to be computed.
 struct MapRequest {
   Material material;
@@ -36,13 +42,19 @@ struct MapRequest {
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
   Polarization polarization = Polarization::none;
+  Precision precision = Precision::double_precision;
+  std::shared_ptr<const Environment> environment = nullptr;  ///< needs one wavelength, or one per R, G and B
 };
+
+/// The direction that a pixel shows; nothing outside the disc.
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
 /// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
 /// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
+/// With an environment: its radiance reflected towards each direction, in `R`, `G`, `B` and `A`.
 /// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
 /// the reflectance, but have no colour.
 class DiscMapper {
@@ -57,18 +69,30 @@ class DiscMapper {
   /// What the image says about itself.
   ExrAttributes attributes() const;
 
+  /// The radiance of the environment that the groove reflects towards a viewer. Only with an environment.
+  glm::dvec3 reflected_radiance(const Vec3<double>& e) const;
+
+  /// The colour seen from a direction in diffuse light, and the white beside it. Only where there is a
+  /// channel `R`.
+  Xyz colour(const Vec3<double>& e) const;
+  const Xyz& white() const { return weights_->white(); }
+
   /// Computes `rows` rows from `first_row` on, on all cores.
   /// \return one plane of rows × size values for each channel
   std::vector<std::vector<float>> rows(int first_row, int rows) const;
 
  private:
-  template <class Facet>
-  value_t<Facet, double> quantity_of(const Facet& facet, const Vec3<double>& e) const;
-  void fill_spectrum(const Vec3<double>& e, std::vector<double>& spectrum) const;
+  template <class Real, class Facet>
+  value_t<Facet, Real> quantity_of(const Cavity<Real>& cavity, const Facet& facet,
+                                   const Vec3<double>& e) const;
+  template <class Real>
+  void fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e, std::vector<double>& spectrum) const;
+  const std::vector<double>& spectrum(const Vec3<double>& e) const;
   void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
 
   MapRequest request_;
   Cavity<double> cavity_;
+  Cavity<float> cavity_in_single_;
   std::vector<RefractiveIndex> indices_;
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;

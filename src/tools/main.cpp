@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   add_map_command(program);
   add_table_command(program);
   add_direction_command(program);
+  add_cost_command(program);
   add_materials_command(program);
 
   if (argc == 1) {

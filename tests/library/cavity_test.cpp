@@ -7,7 +7,8 @@
 using namespace vcavity;
 using namespace vcavity::test;
 
-TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refused with its value", "", Reals) {
+TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refused with its value", "",
+                        Reals) {
   using Real = TestType;
   for (const Real& aperture :
        {Real(0), Real(-1), Real(3.2), Real(1e30), std::numeric_limits<Real>::quiet_NaN()})

@@ -37,6 +37,9 @@ Lab to_lab(const Xyz& colour, const Xyz& white);
 /// the tint of that light: they are not adapted. Meant for XYZ of the 2 degree observer.
 LinearRgb to_linear_srgb(const Xyz& colour);
 
+/// The colour that linear sRGB components stand for (the same source, eq. 2).
+Xyz from_linear_srgb(const LinearRgb& colour);
+
 /// Linear RGB with the primaries and the D65 white of ITU-R BT.2020.
 LinearRgb to_linear_rec2020(const Xyz& colour);
 

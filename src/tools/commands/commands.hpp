@@ -20,6 +20,9 @@ void add_table_command(CLI::App& program);
 /// `direction`: everything about the light of one direction.
 void add_direction_command(CLI::App& program);
 
+/// `cost`: what accuracy costs in time.
+void add_cost_command(CLI::App& program);
+
 /// `materials`: the collection of refractive indices.
 void add_materials_command(CLI::App& program);
 

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vcavity/lobes.hpp>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/disc_map.hpp"
 #include "tools/error.hpp"
+#include "tools/map_plan.hpp"
 #include "tools/materials/catalogue.hpp"
 
 namespace vcavity::tools {
 namespace {
+
+// An error, or a colour difference.
+constexpr Interval tolerance_range{0, 100, Interval::Ends::open_low};
 
 struct MapOptions {
   std::string material;
@@ -20,6 +26,9 @@ struct MapOptions {
   std::vector<double> wavelengths_nm;
   Quantity quantity = Quantity::reflectance;
   Polarization polarization = Polarization::none;
+  EffectsOptions effects;
+  double tolerance = 1e-3;
+  std::string environment;
   int most_bounces = all_bounces;
   std::string out;
 };
@@ -31,9 +40,27 @@ void run_map(const MapOptions& options) {
   std::vector<double> wavelengths_nm = options.wavelengths_nm;
   if (wavelengths_nm.empty()) wavelengths_nm.push_back(options.wavelength_nm.value_or(default_wavelength_nm));
 
-  const DiscMapper mapper({load_material(options.material), options.aperture_deg, wavelengths_nm,
-                           options.size, options.most_bounces, options.quantity, Spectrum::written,
-                           options.polarization});
+  MapRequest request{load_material(options.material),
+                     options.aperture_deg,
+                     wavelengths_nm,
+                     options.size,
+                     options.most_bounces,
+                     options.quantity,
+                     Spectrum::written,
+                     options.polarization};
+  if (!options.environment.empty()) {
+    if (options.quantity != Quantity::reflectance)
+      throw UsageError("--environment: shows the light it casts, not --quantity");
+    if (!options.wavelength_nm) request.wavelengths_nm = {610, 550, 465};
+    request.environment = std::make_shared<const Environment>(options.environment);
+  }
+  if (options.effects.automatic) {
+    MapPlan plan = plan_map(std::move(request), options.tolerance);
+    std::cout << plan.explanation << '\n';
+    if (options.effects.explain) return;
+    request = std::move(plan.request);
+  }
+  const DiscMapper mapper(std::move(request));
   AtomicFile file(options.out);
   Progress progress(static_cast<std::uint64_t>(options.size));
   write_map(file, mapper, progress);
@@ -77,6 +104,22 @@ void add_map_command(CLI::App& program) {
       ->type_name("QUANTITY");
   add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
+  add_effects(*command, options->effects);
+  add_number(
+      *command, "--tolerance", options->tolerance, tolerance_range,
+      "largest error of --effects auto (default 0.001): absolute in the reflectance, CIEDE2000 for a grid "
+      "of wavelengths")
+      ->type_name("T")
+      ->needs("--effects");
+  command
+      ->add_option(
+          "--environment", options->environment,
+          "show how the groove reflects this latitude-longitude OpenEXR image: zenith at the top, +y "
+          "(across the groove) in the middle, +x to the right of it; unless --wavelength is given, R, "
+          "G and B are taken at 610, 550 and 465 nm")
+      ->type_name("SKY.exr")
+      ->excludes("--wavelengths")
+      ->excludes("--effects");
   command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
   command->callback([options] { run_map(*options); });
 }

@@ -131,6 +131,16 @@ void add_polarization(CLI::App& command, Polarization& model) {
       ->type_name("MODEL");
 }
 
+void add_effects(CLI::App& command, EffectsOptions& effects) {
+  CLI::Option* choice = add_choice(
+      command, "--effects", effects.automatic, {{"given", false}, {"auto", true}},
+      "given: as the other options say (default); auto: the full physics within --tolerance, and no "
+      "more than that takes");
+  choice->type_name("EFFECTS")->excludes("--polarization")->excludes("--max-bounces");
+  command.add_flag("--explain", effects.explain, "say what --effects auto would choose, and stop")
+      ->needs(choice);
+}
+
 void add_max_bounces(CLI::App& command, int& most_bounces) {
   add_count(command, "--max-bounces", most_bounces, 1, std::numeric_limits<int>::max(),
             "leave out light that needs more bounces (default: all bounces)")

@@ -92,6 +92,15 @@ void add_material(CLI::App& command, std::string& specification);
 /// Adds --polarization.
 void add_polarization(CLI::App& command, Polarization& model);
 
+/// Whether the tool decides which effects to compute.
+struct EffectsOptions {
+  bool automatic = false;
+  bool explain = false;
+};
+
+/// Adds --effects and --explain.
+void add_effects(CLI::App& command, EffectsOptions& effects);
+
 /// Adds --max-bounces; unlimited unless given.
 void add_max_bounces(CLI::App& command, int& most_bounces);
 
