@@ -3,16 +3,14 @@
 /// `vgroove`: a BSDF plug-in for Mitsuba 3, specular V-grooves with all their bounces.
 ///
 /// Parameters:
-///  - `material`      name of one of Mitsuba's metals ("Cu", "Ag", …), or
-///  - `eta`, `k`      spectra of the refractive index n + ik; k = 0 (the default) reflects like a dielectric
-///  - `aperture`      angle between the panels in degrees, in (0, 180]; 60 by default
-///  - `rotation`      angle in degrees from the surface's ∂p/∂u to the groove, counter-clockwise about the
-///  normal; 0
-///  - `max_bounces`   light that needs more bounces is lost; −1, the default, follows all
-///  - `polarized`     whether fields are followed exactly through the groove, or light counts as unpolarised
-///  at each
-///                    bounce; true in polarised variants, false, like Mitsuba, in others
-///  - `lobe_width`    angular spread of each mirror direction in degrees (see spread_bsdf.hpp); 0 by default
+///  - `material`     name of one of Mitsuba's metals ("Cu", "Ag", …), or
+///  - `eta`, `k`     spectra of the index n + ik; k = 0, the default, reflects like a dielectric
+///  - `aperture`     angle between the panels in degrees, in (0, 180]; 60 by default
+///  - `rotation`     degrees from ∂p/∂u to the groove, counter-clockwise about the normal; 0 by default
+///  - `max_bounces`  light that needs more bounces is lost; −1, the default, follows all
+///  - `polarized`    whether fields are followed through the groove, or light counts as unpolarised at
+///                   each bounce; true in polarised variants, false, like Mitsuba, in others
+///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
 /// One-sided, like `conductor`. Built for the scalar variants.
 
@@ -44,16 +42,19 @@ class VGroove final : public BSDF<Float, Spectrum> {
     cos_rotation_ = std::cos(rotation);
     sin_rotation_ = std::sin(rotation);
     const int max_bounces = props.get<int>("max_bounces", -1);
+    if (max_bounces == 0 || max_bounces < -1)
+      Throw("vgroove: max_bounces must be positive or -1, not %d", max_bounces);
     most_bounces_ = max_bounces < 0 ? vcavity::all_bounces : max_bounces;
     if (props.has_property("material")) {
       if (props.has_property("eta") || props.has_property("k"))
         Throw("vgroove: give either a material or eta and k");
       std::tie(eta_, k_) = complex_ior_from_file<Spectrum, Texture>(props.get<std::string>("material"));
     } else {
+      if (!props.has_property("eta")) Throw("vgroove: give a material, or eta and k");
       eta_ = props.get_unbounded_texture<Texture>("eta");
       k_ = props.get_unbounded_texture<Texture>("k", 0.f);
     }
-    if (lobe_width_ > 0) (void)vcavity::VonMisesFisher<float>(lobe_width_);  // refuses what is no width
+    if (lobe_width_ != 0) (void)vcavity::VonMisesFisher<float>(lobe_width_);  // refuses what is no width
     const BSDFFlags lobes = lobe_width_ > 0 ? BSDFFlags::GlossyReflection : BSDFFlags::DeltaReflection;
     m_flags = lobes | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
