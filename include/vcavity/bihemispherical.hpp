@@ -290,9 +290,9 @@ class HemisphereQuadrature {
 /// @throws std::invalid_argument when the tolerance is not a positive number
 /// @return the reflectance of unpolarised light
 template <class Real, FacetReflectance<Real> Facet>
-Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
-                                                           const scalar_t<unpolarized_t<Facet, Real>>& tolerance,
-                                                           int most_bounces = all_bounces) {
+Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
+    const Cavity<Real>& cavity, const Facet& facet, const scalar_t<unpolarized_t<Facet, Real>>& tolerance,
+    int most_bounces = all_bounces) {
   using Scalar = scalar_t<unpolarized_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
