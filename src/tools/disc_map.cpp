@@ -40,6 +40,13 @@ std::string in_words(Quantity quantity) {
   }
 }
 
+std::string in_words(const Viewing& viewing) {
+  return std::string("linear ") + (viewing.rgb == RgbSpace::rec2020 ? "Rec. 2020" : "sRGB") +
+         " of the spectrum under " + load_light(viewing.light).name + ", " +
+         (viewing.observer == Observer::cie_1964_10deg ? "CIE 1964 10" : "CIE 1931 2") +
+         " degree observer; neither clipped nor adapted to another white";
+}
+
 }  // namespace
 
 std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
@@ -65,7 +72,8 @@ DiscMapper::DiscMapper(MapRequest request)
     const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
     if (request_.quantity == Quantity::reflectance &&
         std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
-      weights_.emplace(request_.wavelengths_nm);
+      weights_.emplace(request_.wavelengths_nm, load_light(request_.viewing.light),
+                       request_.viewing.observer);
       channels_ = {"R", "G", "B"};
     }
     channels_.push_back("A");
@@ -97,8 +105,7 @@ ExrAttributes DiscMapper::attributes() const {
   if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
     result.insert(spectral_layout_version());
   if (weights_) {
-    result["colour"] =
-        std::string("linear sRGB of the spectrum under D65, CIE 1931 2 degree observer; unclipped");
+    result["colour"] = in_words(request_.viewing);
   }
   if (indices_.size() == 1) {
     result["wavelengthNm"] = request_.wavelengths_nm.front();
@@ -202,7 +209,7 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
     return;
   }
   if (weights_) {
-    const LinearRgb colour = to_linear_srgb(weights_->colour(values));
+    const LinearRgb colour = to_linear_rgb(weights_->colour(values), request_.viewing.rgb);
     for (const double value : {colour.r, colour.g, colour.b}) add(value);
   }
   add(1);
@@ -238,10 +245,11 @@ namespace {
 
 // Calls `use` with the planes of one block of rows after the other.
 template <class Use>
-void for_each_block(const DiscMapper& mapper, Progress& progress, Use&& use) {
+void for_each_block(const DiscMapper& mapper, int chunks, Progress& progress, Use&& use) {
   const int size = mapper.request().size;
-  for (int row = 0; row < size; row += map_block_rows) {
-    const int rows = std::min(map_block_rows, size - row);
+  const int block_rows = chunks * chunk_rows;
+  for (int row = 0; row < size; row += block_rows) {
+    const int rows = std::min(block_rows, size - row);
     use(rows, mapper.rows(row, rows));
     progress.advance(static_cast<std::uint64_t>(rows));
   }
@@ -252,21 +260,26 @@ void for_each_block(const DiscMapper& mapper, Progress& progress, Use&& use) {
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
   ExrImage image{mapper.request().size, mapper.request().size, {}, mapper.attributes()};
   for (const std::string& channel : mapper.channels()) image.channels.push_back({channel, {}});
-  for_each_block(mapper, progress, [&](int, const std::vector<std::vector<float>>& planes) {
+  constexpr int chunks = 2;
+  for_each_block(mapper, chunks, progress, [&](int, const std::vector<std::vector<float>>& planes) {
     for (std::size_t i = 0; i < planes.size(); ++i)
       image.channels[i].plane.insert(image.channels[i].plane.end(), planes[i].begin(), planes[i].end());
   });
   return image;
 }
 
-void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress) {
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress) {
   const int size = mapper.request().size;
   ExrHeader header;
   header.width = header.height = size;
   header.channels = mapper.channels();
   header.attributes = mapper.attributes();
+  header.number = storage.number;
+  header.compression = storage.compression;
+  if (mapper.request().viewing.rgb == RgbSpace::rec2020) header.primaries = ExrPrimaries::rec2020;
   ExrWriter writer(file, header);
-  for_each_block(mapper, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
+  for_each_block(mapper, chunks, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
     const std::vector<std::span<const float>> spans(planes.begin(), planes.end());
     writer.write_rows(rows, spans);
   });

@@ -29,6 +29,19 @@ enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
 
+/// How the spectrum of a map becomes a colour.
+struct Viewing {
+  std::string light = "D65";  ///< see load_light()
+  Observer observer = Observer::cie_1931_2deg;
+  RgbSpace rgb = RgbSpace::srgb;
+};
+
+/// How the numbers of a map are stored.
+struct Storage {
+  ExrNumber number = ExrNumber::float32;
+  ExrCompression compression = ExrCompression::piz;
+};
+
 /// The numbers a map is computed with.
 enum class Precision { double_precision, single_precision };
 
@@ -44,6 +57,7 @@ struct MapRequest {
   Polarization polarization = Polarization::none;
   Precision precision = Precision::double_precision;
   std::shared_ptr<const Environment> environment = nullptr;  ///< needs one wavelength, or one per R, G and B
+  Viewing viewing = {};
 };
 
 /// The direction that a pixel shows; nothing outside the disc.
@@ -51,8 +65,8 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
-/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
-/// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
+/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear RGB of the
+/// spectrum, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
 /// With an environment: its radiance reflected towards each direction, in `R`, `G`, `B` and `A`.
 /// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
@@ -65,6 +79,9 @@ class DiscMapper {
 
   const MapRequest& request() const { return request_; }
   const std::vector<std::string>& channels() const { return channels_; }
+
+  /// Whether there are channels R, G, B.
+  bool coloured() const { return weights_ || request_.environment; }
 
   /// What the image says about itself.
   ExrAttributes attributes() const;
@@ -98,13 +115,16 @@ class DiscMapper {
   std::vector<std::string> channels_;
 };
 
-/// Number of rows that are computed and written together.
-inline constexpr int map_block_rows = 64;
+/// Rows that OpenEXR compresses together at most.
+inline constexpr int chunk_rows = 32;
 
 /// Computes a whole map in memory, advancing `progress` by the number of its rows.
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
 
 /// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
-void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress);
+/// \param chunks   how many times chunk_rows are computed and held at a time; see set_exr_threads() for how
+///                 many of them are compressed at a time
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress);
 
 }  // namespace vcavity::tools

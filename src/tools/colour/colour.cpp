@@ -56,6 +56,10 @@ LinearRgb to_linear_rec2020(const Xyz& colour) {
   return rec2020 * colour;
 }
 
+LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space) {
+  return space == RgbSpace::rec2020 ? to_linear_rec2020(colour) : to_linear_srgb(colour);
+}
+
 LinearRgb clip_negative(const LinearRgb& colour) {
   return {std::max(colour.r, 0.0), std::max(colour.g, 0.0), std::max(colour.b, 0.0)};
 }

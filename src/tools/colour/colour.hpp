@@ -43,6 +43,12 @@ Xyz from_linear_srgb(const LinearRgb& colour);
 /// Linear RGB with the primaries and the D65 white of ITU-R BT.2020.
 LinearRgb to_linear_rec2020(const Xyz& colour);
 
+/// The RGB spaces that colours are given in.
+enum class RgbSpace { srgb, rec2020 };
+
+/// Linear RGB in a space.
+LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space);
+
 /// The colour with its negative components replaced by 0: colours outside the gamut move onto its hull, those
 /// inside stay. Values above 1 are kept, they are for the display or the file format to limit.
 LinearRgb clip_negative(const LinearRgb& colour);

@@ -92,6 +92,16 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, std::optiona
       help);
 }
 
+CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
+                         const Interval& interval, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&values, name, interval](const std::string& words) {
+        values = checked_numbers(words, name, interval);
+      },
+      help + "; a list A,B,C or a range LOW:HIGH:STEP");
+}
+
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help) {
   return command.add_option_function<std::string>(
@@ -106,19 +116,44 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
       help);
 }
 
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&file, name](const std::string& word) {
+            if (!word.ends_with(".png") && !word.ends_with(".svg"))
+              throw unexpected(name, word, "the name of a .png or .svg file");
+            file = word;
+          },
+          help + "; PNG or SVG")
+      ->type_name("FILE");
+}
+
 void add_format(CLI::App& command, Format& format) {
   add_choice(command, "--format", format, {{"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}},
              "md (Markdown), csv or json (default md)")
       ->type_name("FORMAT");
 }
 
+namespace {
+
+const std::string material_help =
+    "a name (see 'vcavity_maps materials'), a file of refractiveindex.info, or an index such as 1.5 or "
+    "0.1249+3.3391i";
+
+}  // namespace
+
 void add_material(CLI::App& command, std::string& specification) {
+  command.add_option("--material", specification, material_help)->type_name("M")->required();
+}
+
+void add_materials(CLI::App& command, std::vector<std::string>& specifications) {
   command
-      .add_option(
-          "--material", specification,
-          "a name (see 'vcavity_maps materials'), a file of refractiveindex.info, or an index such as 1.5 "
-          "or 0.1249+3.3391i")
-      ->type_name("M")
+      .add_option("--material", specifications, material_help + "; several separated by commas, or repeat it")
+      ->type_name("M[,M...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->required();
 }
 

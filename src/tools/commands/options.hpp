@@ -52,9 +52,17 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, double& valu
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const Interval& interval, const std::string& help);
 
+/// Adds an option with a list of numbers in an interval, see checked_numbers(), that replaces `values`.
+CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
+                         const Interval& interval, const std::string& help);
+
 /// Adds an option with a whole number in [low, high].
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help);
+
+/// Adds an option with the name of a picture to write; what the help says about it ends in its two formats.
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help);
 
 /// The error for a word that an option does not accept.
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected);
@@ -88,6 +96,9 @@ void add_format(CLI::App& command, Format& format);
 
 /// Adds --material.
 void add_material(CLI::App& command, std::string& specification);
+
+/// Adds --material for one or several.
+void add_materials(CLI::App& command, std::vector<std::string>& specifications);
 
 /// Adds --polarization.
 void add_polarization(CLI::App& command, Polarization& model);
