@@ -32,6 +32,7 @@ void require_known_command(const CLI::App& program, const std::string& word) {
   std::string names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (command->get_name() == word) return;
+    if (command->get_group().empty()) continue;  // hidden
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   throw vcavity::tools::UsageError("unknown command '" + word + "', expected one of " + names);
@@ -69,6 +70,7 @@ int run(int argc, char** argv) {
   add_direction_command(program);
   add_cost_command(program);
   add_materials_command(program);
+  add_generate_command(program);
 
   if (argc == 1) {
     std::cerr << program.help();

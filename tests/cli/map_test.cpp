@@ -106,3 +106,58 @@ TEST_CASE("a map says where it comes from") {
   CHECK(std::get<double>(image.attributes.at("apertureDeg")) == 45.5);
   CHECK(std::get<double>(image.attributes.at("wavelengthNm")) == 600);
 }
+
+TEST_CASE("half numbers and other compressions change the file but not its meaning") {
+  const std::string map = "--material Cu --aperture 60 --size 16 --wavelengths 400:700:100";
+  const ExrImage exact = map_of(map);
+  for (const char* method : {"none", "rle", "zips", "zip", "piz"})
+    CHECK(map_of(map + " --compression " + method).plane("R") == exact.plane("R"));
+  const ExrImage rounded = map_of(map + " --precision half");
+  for (const auto& channel : exact.channels)
+    for (std::size_t i = 0; i < channel.plane.size(); ++i)
+      CHECK(rounded.plane(channel.name)[i] == Catch::Approx(channel.plane[i]).epsilon(std::ldexp(1, -11)));
+}
+
+TEST_CASE("light, observer and primaries change the colour but not the spectrum") {
+  const std::string map = "--material Cu --aperture 60 --size 16 --wavelengths 400:700:20";
+  const ExrImage usual = map_of(map);
+  for (const char* option : {" --illuminant A", " --observer 10", " --rgb rec2020"}) {
+    const ExrImage other = map_of(map + option);
+    CHECK(other.plane("R") != usual.plane("R"));
+    CHECK(other.plane("T.600,000000nm") == usual.plane("T.600,000000nm"));
+    CHECK(text(other, "colour") != text(usual, "colour"));
+  }
+}
+
+TEST_CASE("the light of a file is as good as the same light by name") {
+  const ScratchFolder folder;
+  std::string rows = "# wavelength_nm, power\n";
+  for (int nm = 400; nm <= 700; nm += 20) rows += std::to_string(nm) + ", 3.5\n";
+  put(folder / "flat.csv", rows);
+  const std::string map = "map --material Cu --aperture 60 --size 16 --wavelengths 400:700:20 --illuminant ";
+  REQUIRE(run(map + "flat.csv --out own.exr", folder.path()).status == 0);
+  REQUIRE(run(map + "e --out named.exr", folder.path()).status == 0);
+  const auto own = tools::read_exr(folder / "own.exr").plane("G");
+  const auto named = tools::read_exr(folder / "named.exr").plane("G");
+  for (std::size_t i = 0; i < own.size(); ++i) CHECK(own[i] == Catch::Approx(named[i]).epsilon(1e-6));
+}
+
+TEST_CASE("lights that are no lights are refused") {
+  const ScratchFolder folder;
+  put(folder / "negative.csv", "400 1\n700 -1\n");
+  put(folder / "dark.csv", "# nothing\n");
+  put(folder / "short.csv", "400 1\n600 1\n");
+  const auto refused = [&](const std::string& light, int status, const std::string& text) {
+    const Outcome outcome =
+        run("map --material Cu --aperture 60 --size 16 --wavelengths 400:700:20 --out a.exr --illuminant " +
+                light,
+            folder.path());
+    CHECK(outcome.status == status);
+    CHECK(outcome.err == "vcavity_maps: " + text + "\n");
+  };
+  refused("D50", 2, "unknown light 'D50', expected D65, E, A or a file such as ./lamp.csv");
+  refused("lamp.csv", 1, "lamp.csv: cannot read: No such file or directory");
+  refused("negative.csv", 1, "negative.csv:2: the power of a light must not be negative");
+  refused("dark.csv", 1, "dark.csv:1: there is no light: expected lines of wavelength in nm and power");
+  refused("short.csv", 2, "light 'short.csv' is given from 400 to 600 nm, which leaves out 620 nm");
+}

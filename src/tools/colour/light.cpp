@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/data_path.hpp"
+#include "tools/error.hpp"
 #include "tools/text_file.hpp"
 
 namespace vcavity::tools {
@@ -47,6 +48,9 @@ Light load_light(std::string_view specification) {
   if (name == "d65") return cie_illuminant(Illuminant::d65);
   if (name == "e") return cie_illuminant(Illuminant::e);
   const std::filesystem::path file(specification);
+  if (!file.has_parent_path() && !file.has_extension())
+    throw UsageError("unknown light '" + file.string() +
+                     "', expected D65, E, A or a file such as ./lamp.csv");
   return read_light(file, file.filename().string());
 }
 

@@ -27,8 +27,9 @@ Light cie_illuminant(Illuminant illuminant);
 /// \param specification   `D65`, `E` or `A`, letter case aside, or a file with a wavelength in nm and a power
 /// in
 ///                        every line, separated by a comma or white space; '#' starts a comment
-/// Throws std::runtime_error "FILE: ..." for a file that cannot be read and "FILE:LINE: ..." where it is
-/// malformed: without a row, with a negative power, or without any power at all.
+/// Throws UsageError for a word that is neither; std::runtime_error "FILE: ..." for a file that cannot be
+/// read and "FILE:LINE: ..." where it is malformed: without a row, with a negative power, or without any
+/// power at all.
 Light load_light(std::string_view specification);
 
 }  // namespace vcavity::tools

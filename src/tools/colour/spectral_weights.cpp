@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "tools/data_path.hpp"
@@ -39,6 +40,12 @@ bool covers(const LinearTable& table, double wavelength_nm) {
   return table.min_x() <= wavelength_nm && wavelength_nm <= table.max_x();
 }
 
+std::string text_of(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 double at_or_zero(const LinearTable& table, double wavelength_nm) {
   return covers(table, wavelength_nm) ? table.at(wavelength_nm) : 0;
 }
@@ -52,7 +59,7 @@ void check_equally_spaced(std::span<const double> wavelengths_nm) {
   for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
     const double expected = wavelengths_nm.front() + static_cast<double>(i) * step;
     if (!(step > 0 && std::abs(wavelengths_nm[i] - expected) <= rounding * step)) {
-      throw UsageError("wavelength " + std::to_string(wavelengths_nm[i]) +
+      throw UsageError("wavelength " + text_of(wavelengths_nm[i]) +
                        " nm breaks the grid: a colour needs ascending wavelengths in equal steps");
     }
   }
@@ -72,17 +79,16 @@ SpectralWeights::SpectralWeights(std::span<const double> wavelengths_nm, const L
   double perfect_y = 0;
   for (const double nm : wavelengths_nm) {
     if (covers(y_bar, nm) && !covers(light.power, nm))
-      throw UsageError("light '" + light.name + "' is given from " + std::to_string(light.power.min_x()) +
-                       " to " + std::to_string(light.power.max_x()) + " nm, which leaves out " +
-                       std::to_string(nm) + " nm");
+      throw UsageError("light '" + light.name + "' is given from " + text_of(light.power.min_x()) + " to " +
+                       text_of(light.power.max_x()) + " nm, which leaves out " + text_of(nm) + " nm");
     const double power = at_or_zero(light.power, nm);
     weights_.push_back(
         {power * at_or_zero(x_bar, nm), power * at_or_zero(y_bar, nm), power * at_or_zero(z_bar, nm)});
     perfect_y += weights_.back().y;
   }
   if (!(perfect_y > 0)) {
-    throw UsageError("no wavelength from " + std::to_string(wavelengths_nm.front()) + " to " +
-                     std::to_string(wavelengths_nm.back()) +
+    throw UsageError("no wavelength from " + text_of(wavelengths_nm.front()) + " to " +
+                     text_of(wavelengths_nm.back()) +
                      " nm is visible; colours need some within 360 to 780 nm");
   }
   for (Xyz& weight : weights_) weight = {weight.x / perfect_y, weight.y / perfect_y, weight.z / perfect_y};
