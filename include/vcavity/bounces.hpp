@@ -7,13 +7,12 @@
 /// crosses the images of the panels, which stand around the apex at the angles α/2 + (j − 1)α, j = 1, 2, …
 /// The number of images it crosses inside the unit circle is the number of bounces.
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <concepts>
-#include <utility>
 
 #include "cavity.hpp"
+#include "turning_vector.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -32,14 +31,7 @@ class PanelImages {
   /// @param e direction towards the light
   /// @param first the panel met first
   PanelImages(const Cavity<Real>& cavity, const Vec3<Real>& e, Panel first)
-      : sine_(cavity.sin_aperture()),
-        versine_(cavity.versine_aperture()),
-        along_(e.x),
-        panel_(first) {
-    const Real across = first == Panel::one ? e.y : Real(-e.y);
-    normal_ = across * cavity.cos_half() + e.z * cavity.sin_half();
-    tangent_ = e.z * cavity.cos_half() - across * cavity.sin_half();
-  }
+      : PanelImages(cavity, e.x, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
 
   /// Number j of the bounce, starting at 1.
   int bounce() const { return bounce_; }
@@ -48,22 +40,20 @@ class PanelImages {
   Panel panel() const { return panel_; }
 
   /// e · N^(j), before any clamping of its rounding error.
-  const Real& normal_component() const { return normal_; }
+  const Real& normal_component() const { return e_.y(); }
 
   /// The component of e in the image, across the groove and away from the apex.
-  const Real& tangent_component() const { return tangent_; }
+  const Real& tangent_component() const { return e_.x(); }
 
   /// The component of e along the groove, the same at every bounce.
   const Real& along_component() const { return along_; }
 
   /// Cosine of the angle of incidence, c_j = e · N^(j), not negative.
-  Real cos_theta_i() const { return at_least(normal_, Real(0)); }
+  Real cos_theta_i() const { return at_least(normal_component(), Real(0)); }
 
-  /// Steps to the next image. The rotation is written with 1 − cos α so that many small steps do not drift.
+  /// Steps to the next image.
   void advance() {
-    const Real normal = normal_;
-    normal_ = normal - (versine_ * normal - sine_ * tangent_);
-    tangent_ = tangent_ - (versine_ * tangent_ + sine_ * normal);
+    e_.turn();
     panel_ = opposite(panel_);
     ++bounce_;
   }
@@ -71,17 +61,24 @@ class PanelImages {
   /// The direction in which the light travels after bounce j: the normal component is reversed, the others
   /// stay.
   Vec3<Real> exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e) const {
-    const Real across = normal_ * cavity.cos_half() + tangent_ * cavity.sin_half();
+    const Real across = e_.y() * cavity.cos_half() + e_.x() * cavity.sin_half();
     return {-e.x, panel_ == Panel::one ? across : Real(-across),
-            normal_ * cavity.sin_half() - tangent_ * cavity.cos_half()};
+            e_.y() * cavity.sin_half() - e_.x() * cavity.cos_half()};
   }
 
  private:
-  Real sine_;
-  Real versine_;
+  /// @param along component of the direction along the groove
+  /// @param across its component from the first panel to the other
+  /// @param up its component along the mean normal
+  PanelImages(const Cavity<Real>& cavity, const Real& along, const Real& across, const Real& up, Panel first)
+      : e_(up * cavity.cos_half() - across * cavity.sin_half(),
+           across * cavity.cos_half() + up * cavity.sin_half(), cavity.sin_aperture(),
+           cavity.versine_aperture()),
+        along_(along),
+        panel_(first) {}
+
+  TurningVector<Real> e_;  // the direction, in components along and normal to the image
   Real along_;
-  Real normal_;
-  Real tangent_;
   Panel panel_;
   int bounce_ = 1;
 };
@@ -100,16 +97,17 @@ value_t<Facet, Real> reflect(const Facet& facet, const PanelImages<Real>& bounce
 /// First panel and number of bounces of the ray through a point of the opening (Eqs. 7–13).
 ///
 /// With θ' the angle of the ray across the groove, δ = y cos θ' − cos(α/2) sin θ' its signed distance from
-/// the apex and s = sign δ: panel one is met first if δ < 0, and m = ⌊(π + s θ' − arcsin|δ|)/α − 1/2⌋ + 1.
-/// (The paper's Eqs. 11 and 12 are merged here.) A ray through the apex counts as meeting panel two first,
-/// one through the edge of a panel's image as meeting that image. Rounding never gives less than 1 bounce nor
-/// more than `max_bounces`.
+/// the apex and s = sign δ: panel one is met first if δ < 0, and m = ⌊γ/α − 1/2⌋ + 1, where
+/// γ = π + s θ' − arcsin|δ| merges the paper's Eqs. 11 and 12. Here γ = (π/2 + s θ') + arccos|δ|, two angles
+/// that are small together in a narrow groove under grazing light, and keep their digits.
+///
+/// A ray through the apex counts as meeting panel two first, one through the edge of a panel's image as
+/// meeting that image. The answer is at least 1 and at most `max_bounces`, whatever the rounding.
 ///
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real>
 RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position) {
-  using std::asin;
   using std::atan2;
   using std::floor;
   using std::sqrt;
@@ -119,16 +117,19 @@ RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& po
   if (!(across > Real(0)))
     return {position < Real(0) ? Panel::one : Panel::two, 1};  // grazing along the groove
 
-  const Real distance =
-      (position * cavity.sin_half() * e.z - cavity.cos_half() * e.y) / across;  // δ, from the apex
-  const Panel first = distance < Real(0) ? Panel::one : Panel::two;
-  const Real theta = atan2(e.y, e.z);
-  const Real leaving = pi<Real>() + (first == Panel::one ? Real(-theta) : theta) -
-                       asin(at_most(largest(distance), Real(1)));  // γ_H
+  const Real aside = position * cavity.sin_half() * e.z;
+  const Panel first = aside < cavity.cos_half() * e.y ? Panel::one : Panel::two;  // δ < 0
+  const Real facing = first == Panel::one ? e.y : Real(-e.y);
+  // 1 − |δ|, without forming |δ| = (cos(α/2) facing ∓ aside)/across
+  const Real beyond = facing > Real(0) ? Real(e.z * (e.z / (across + facing))) : Real(across - facing);
+  const Real rest = at_least(
+      Real((beyond + cavity.versine_half() * facing + (first == Panel::one ? aside : Real(-aside))) / across),
+      Real(0));
+  const Real leaving = atan2(e.z, facing) + atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest);  // γ
   const Real count = floor(leaving / cavity.aperture() - Real(0.5)) + Real(1);
+  if (count <= Real(1)) return {first, 1};
   const int most = cavity.max_bounces();
-  if (!(count < Real(most))) return {first, most};
-  return {first, std::max(1, static_cast<int>(count))};
+  return {first, count < Real(most) ? static_cast<int>(count) : most};
 }
 
 /// The direction in which the light of a ray leaves the groove.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "conventions.hpp"
+#include "value.hpp"
 
 namespace vcavity {
 
@@ -15,20 +16,25 @@ namespace vcavity {
 template <class Real>
 class Cavity {
  public:
-  /// @param aperture the angle between the panels in (0, π]; π is a flat surface
+  /// @param aperture the angle between the panels in (0, π]; π is a flat surface, and so is what rounding (4 ε)
+  /// has lifted above it
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
-  explicit Cavity(const Real& aperture) : aperture_(aperture) {
-    if (!(aperture > Real(0) && aperture <= pi<Real>())) {
+  explicit Cavity(const Real& aperture) : aperture_(at_most(aperture, pi<Real>())) {
+    const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
+    if (!(aperture > Real(0) && aperture <= pi<Real>() * (Real(1) + rounding))) {
       std::ostringstream message;
       message << "the aperture of a groove must lie in (0, π] radians, not " << aperture;
       throw std::invalid_argument(message.str());
     }
     using std::cos;
     using std::sin;
-    sin_half_ = sin(aperture / Real(2));
+    sin_half_ = sin(aperture_ / Real(2));
+    const Real sin_quarter = sin(aperture_ / Real(4));
+    versine_half_ = Real(2) * sin_quarter * sin_quarter;
     // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
-    cos_half_ = cos(aperture / Real(2));
+    cos_half_ = cos(aperture_ / Real(2));
     if (cos_half_ < Real(0)) cos_half_ = Real(0);
+    max_bounces_ = most_bounces_at(aperture_);
   }
 
   /// The angle α between the panels.
@@ -39,6 +45,9 @@ class Cavity {
 
   /// cos(α/2), the depth of the groove.
   const Real& cos_half() const { return cos_half_; }
+
+  /// 1 − cos(α/2), with all its digits when α is small
+  const Real& versine_half() const { return versine_half_; }
 
   /// sin α
   Real sin_aperture() const { return Real(2) * sin_half_ * cos_half_; }
@@ -57,20 +66,25 @@ class Cavity {
   }
 
   /// The largest number of bounces of any ray, ⌈π/α⌉. An aperture within rounding (4 ε) of π/k counts as π/k:
-  /// the rays that would bounce once more are a fraction of order ε of all.
-  int max_bounces() const {
+  /// moving the aperture by so little moves the weights as much as leaving out the rays that would bounce
+  /// once more. At most the largest int.
+  int max_bounces() const { return max_bounces_; }
+
+ private:
+  static int most_bounces_at(const Real& aperture) {
     using std::ceil;
     const Real count =
-        ceil(pi<Real>() / aperture_ * (Real(1) - Real(4) * std::numeric_limits<Real>::epsilon()));
+        ceil(pi<Real>() / aperture * (Real(1) - Real(4) * std::numeric_limits<Real>::epsilon()));
     constexpr int most = std::numeric_limits<int>::max();
     if (!(count < Real(most))) return most;
     return count < Real(1) ? 1 : static_cast<int>(count);
   }
 
- private:
   Real aperture_;
   Real sin_half_;
   Real cos_half_;
+  Real versine_half_;
+  int max_bounces_;
 };
 
 }  // namespace vcavity

@@ -17,9 +17,9 @@
 ///  - The complex refractive index is n + ik with k ≥ 0 (time dependence exp(−iωt)), relative to the incident
 ///  medium.
 ///  - Polarised light that travels along the unit vector k is described in the axes a, b, k, right-handed:
-///  a = `polarization_axis(k)` lies in the plane of k and the groove, b = k × a. With field components E_a and
-///  E_b its Stokes parameters are I = |E_a|² + |E_b|², Q = |E_a|² − |E_b|² and U + iV = 2 E_a E_b*; so V > 0
-///  turns clockwise as seen by the receiver.
+///  a = `polarization_axis(k)` lies in the plane of k and the groove, b = k × a. With field components E_a
+///  and E_b its Stokes parameters are I = |E_a|² + |E_b|², Q = |E_a|² − |E_b|² and U + iV = 2 E_a E_b*; so V
+///  > 0 turns clockwise as seen by the receiver.
 ///  - Angles are radians unless the name ends in `_deg`. A position on the opening is a fraction in [−1, 1]
 ///  of its half
 ///    width.

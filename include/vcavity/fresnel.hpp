@@ -18,7 +18,10 @@
 ///
 /// The sign of r_p is the one that makes r_p = r_s at normal incidence.
 ///
-/// Range: n ≥ 0, k ≥ 0, not both 0, |n + ik| below 1e9 for float (so that fourth powers do not overflow).
+/// Range: n ≥ 0, k ≥ 0, n + k between 2e-9 and 1e9 for float (1e-76 and 1e76 for double), so that fourth
+/// powers neither vanish nor overflow. Cosines outside [3e-10, 1] (1e-77 for double) count as the nearer end:
+/// so grazing incidence has its limit even without an interface, where R = 0 and 1 − R = 1 at every angle. A
+/// cosine that is not a number gives a result that is not a number.
 /// Not for an absorbing incident medium, for gain (k < 0) or for magnetic materials.
 
 #include <limits>
@@ -39,30 +42,81 @@ struct Amplitudes {
 
 namespace detail {
 
-/// Throws std::invalid_argument unless every component of `a` is finite and at least 0.
+/// The smallest cosine whose fourth power does not underflow: about 3e-10 for float, 1e-77 for double.
+/// Smaller ones count as this one; at 0 the formulas of an interface without contrast would be 0/0.
+template <class Real>
+Real smallest_cosine() {
+  using std::sqrt;
+  if constexpr (std::is_floating_point_v<Real>) {
+    return sqrt(sqrt(std::numeric_limits<Real>::min()));
+  } else {
+    static const Real value = sqrt(sqrt(std::numeric_limits<Real>::min()));
+    return value;
+  }
+}
+
+/// The smallest |n + ik|, for the same reason.
+template <class Real>
+Real smallest_index() {
+  return Real(4) * smallest_cosine<Real>();
+}
+
+/// The largest n and k: fourth powers must not overflow. About 1e9 for float, 1e76 for double.
+template <class Real>
+Real largest_index() {
+  using std::sqrt;
+  return sqrt(sqrt(std::numeric_limits<Real>::max())) / Real(4);
+}
+
+/// Throws std::invalid_argument unless every component of `a` is in [low, largest_index].
 template <class Value>
-void require_finite_nonnegative(const Value& a, const char* name) {
+void require_index(const Value& a, const scalar_t<Value>& low, const char* name) {
   using Real = scalar_t<Value>;
-  for_each_component(a, [name](const Real& x) {
-    if (!(x >= Real(0) && x <= std::numeric_limits<Real>::max())) {
+  for_each_component(a, [&low, name](const Real& x) {
+    if (!(x >= low && x <= largest_index<Real>())) {
       std::ostringstream message;
-      message << name << " must be finite and not negative, not " << x;
+      message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
       throw std::invalid_argument(message.str());
     }
   });
 }
+
+/// The angle of incidence.
+template <class Real>
+struct Incidence {
+  /// Cosines are taken to lie in [`smallest_cosine`, 1].
+  explicit Incidence(const Real& cos_theta_i)
+      : c(at_most(at_least(cos_theta_i, smallest_cosine<Real>()), Real(1))),
+        c2(c * c),
+        s2((Real(1) - c) * (Real(1) + c)) {}
+
+  /// Re w² = Re (n + ik)² − s² = Re m + c²: of these equal sums the one that cancels less.
+  /// @param permittivity Re (n + ik)²
+  /// @param contrast Re m
+  template <class Value>
+  Value normal_component_squared(const Value& permittivity, const Value& contrast) const {
+    return c2 < s2 ? contrast + Value(c2) : permittivity - Value(s2);
+  }
+
+  Real c;   ///< cosine of the angle of incidence
+  Real c2;  ///< its square
+  Real s2;  ///< the square of the sine
+};
 
 /// A refracted wave at an interface of contrast m, with the combinations that all formulas share.
 template <class Value>
 struct RefractedWave {
   using Real = scalar_t<Value>;
 
+  /// @param permittivity Re (n + ik)²
   /// @param contrast m = (n + ik)² − 1, Im m ≥ 0
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  RefractedWave(const Complex<Value>& contrast, const Real& cos_theta_i)
-      : c(cos_theta_i), s2(at_least(Real((Real(1) - cos_theta_i) * (Real(1) + cos_theta_i)), Real(0))) {
+  RefractedWave(const Value& permittivity, const Complex<Value>& contrast, const Real& cos_theta_i) {
     using std::sqrt;
-    const Complex<Value> w2{contrast.re + c * c, contrast.im};
+    const Incidence<Real> incidence(cos_theta_i);
+    c = Value(incidence.c);
+    s2 = Value(incidence.s2);
+    const Complex<Value> w2{incidence.normal_component_squared(permittivity, contrast.re), contrast.im};
     w_norm = sqrt(norm(w2));
     // The larger part of w comes from a sum, the smaller one from the product 2 Re w Im w = Im w²: no
     // cancellation.
@@ -73,8 +127,15 @@ struct RefractedWave {
   }
 
   /// |c + w|²
-  Value sum_norm() const {
-    return at_least(Value(c * c + Real(2) * (c * w.re) + w_norm), std::numeric_limits<Real>::min());
+  Value sum_norm() const { return c * c + Real(2) * (c * w.re) + w_norm; }
+
+  /// |c − w|²|c + w|², which is |m|²; that is less exact where c and w are of unlike size.
+  Value difference_norm(const Value& contrast_norm) const {
+    const Value c2 = c * c;
+    const Value real = c2 - w_norm;
+    const Value imaginary = Real(2) * (c * w.im);
+    return select_nonnegative(Value(w_norm - Real(2) * c2), Value(real * real + imaginary * imaginary),
+                              contrast_norm);
   }
 
   /// |c w + s²|²
@@ -90,12 +151,20 @@ struct RefractedWave {
 };
 
 template <class Value>
-Amplitudes<Value> fresnel_amplitudes(const Complex<Value>& contrast, const scalar_t<Value>& cos_theta_i) {
-  const RefractedWave<Value> wave(contrast, cos_theta_i);
-  const Complex<Value> sum{wave.c + wave.w.re, wave.w.im};
+Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Value>& contrast,
+                                     const scalar_t<Value>& cos_theta_i) {
+  using Real = scalar_t<Value>;
+  const RefractedWave<Value> wave(permittivity, contrast, cos_theta_i);
+  // (c − w)/(c + w) = (c² − |w|² − 2ic Im w)/|c + w|². Where c² − |w|² would cancel, m stands in for w² − c².
+  const Value c2 = wave.c * wave.c;
+  const Value from_contrast =
+      Real(-1) * ((norm(contrast) + Real(2) * (c2 * contrast.re)) / (c2 + wave.w_norm));
+  const Value difference =
+      select_nonnegative(Value(wave.w_norm - Real(2) * c2), Value(c2 - wave.w_norm), from_contrast);
+  const Value inverse = Value(1) / wave.sum_norm();
+  const Complex<Value> r_s{difference * inverse, Real(-2) * (wave.c * wave.w.im * inverse)};
   const Complex<Value> cw = wave.c * wave.w;
   const Complex<Value> s2{wave.s2, Value(0)};
-  const Complex<Value> r_s = Complex<Value>{-contrast.re, -contrast.im} / (sum * sum);
   return {r_s, r_s * ((cw - s2) / (cw + s2))};
 }
 
@@ -119,31 +188,29 @@ class Conductor {
 
   /// @param n real part of the refractive index relative to the incident medium, ≥ 0
   /// @param k extinction coefficient, ≥ 0
-  /// @throws std::invalid_argument when a component is negative, infinite or not a number
-  Conductor(const Value& n, const Value& k) : Conductor(from_contrast(n - Value(1), k)) {}
+  /// @throws std::invalid_argument when a component is out of range, see above, or not a number
+  Conductor(const Value& n, const Value& k) : Conductor(n, n - Value(1), k) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
   static Conductor from_contrast(const Value& n_minus_1, const Value& k) {
-    const Value n = Value(1) + n_minus_1;
-    detail::require_finite_nonnegative(n, "the refractive index n");
-    detail::require_finite_nonnegative(k, "the extinction coefficient k");
-    return Conductor(Complex<Value>{n_minus_1 * (Value(2) + n_minus_1) - k * k, Real(2) * (n * k)});
+    return Conductor(Value(1) + n_minus_1, n_minus_1, k);
   }
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Value operator()(const Real& cos_theta_i) const {
-    const detail::RefractedWave<Value> wave(contrast_, cos_theta_i);
-    const Value r_s = contrast_modulus_ / wave.sum_norm();
+    const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
+    const Value sum_norm = wave.sum_norm();
+    const Value r_s = wave.difference_norm(contrast_norm_) / (sum_norm * sum_norm);
     const Value ratio = wave.parallel_difference_norm() / wave.parallel_sum_norm();
-    return at_most(Value(Real(0.5) * (r_s * r_s * (Value(1) + ratio))), Real(1));
+    return at_most(Value(Real(0.5) * (r_s * (Value(1) + ratio))), Real(1));
   }
 
   /// Absorptance of unpolarised light, 1 − reflectance, to full relative precision; for k = 0 the
   /// transmittance into the medium.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Value absorptance(const Real& cos_theta_i) const {
-    const detail::RefractedWave<Value> wave(contrast_, cos_theta_i);
+    const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
     const Value a_s = Real(4) * (wave.c * wave.w.re) / wave.sum_norm();
     const Value ratio = (wave.w_norm + wave.s2) / wave.parallel_sum_norm();
     return at_most(Value(Real(0.5) * (a_s * (Value(1) + ratio))), Real(1));
@@ -152,7 +219,7 @@ class Conductor {
   /// Amplitudes r_s and r_p.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
-    return detail::fresnel_amplitudes(contrast_, cos_theta_i);
+    return detail::fresnel_amplitudes(permittivity_, contrast_, cos_theta_i);
   }
 
   /// The cosine at which the reflectance varies fastest when n < 1 and k is small (the critical angle if k =
@@ -163,13 +230,18 @@ class Conductor {
   const Complex<Value>& contrast() const { return contrast_; }
 
  private:
-  explicit Conductor(const Complex<Value>& contrast) : contrast_(contrast) {
-    using std::sqrt;
-    contrast_modulus_ = sqrt(norm(contrast));
+  Conductor(const Value& n, const Value& n_minus_1, const Value& k) {
+    detail::require_index(n, Real(0), "the refractive index n");
+    detail::require_index(k, Real(0), "the extinction coefficient k");
+    detail::require_index(Value(n + k), detail::smallest_index<Real>(), "n + k");
+    permittivity_ = n * n - k * k;
+    contrast_ = {n_minus_1 * (n + Value(1)) - k * k, Real(2) * (n * k)};
+    contrast_norm_ = norm(contrast_);
   }
 
+  Value permittivity_;  // Re (n + ik)²
   Complex<Value> contrast_;
-  Value contrast_modulus_;
+  Value contrast_norm_;
 };
 
 /// Interface to a transparent medium of real index n. Below n = 1 it reflects totally at grazing angles.
@@ -180,20 +252,19 @@ class Dielectric {
   using Real = scalar_t<Value>;
 
   /// @param n refractive index relative to the incident medium, > 0
-  /// @throws std::invalid_argument when a component is negative, infinite or not a number
-  explicit Dielectric(const Value& n) : Dielectric(from_contrast(n - Value(1))) {}
+  /// @throws std::invalid_argument when a component is out of range, see above, or not a number
+  explicit Dielectric(const Value& n) : Dielectric(n, n - Value(1)) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
   static Dielectric from_contrast(const Value& n_minus_1) {
-    detail::require_finite_nonnegative(Value(Value(1) + n_minus_1), "the refractive index n");
-    return Dielectric(n_minus_1 * (Value(2) + n_minus_1), Contrast{});
+    return Dielectric(Value(1) + n_minus_1, n_minus_1);
   }
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Value operator()(const Real& cos_theta_i) const {
-    const Wave wave(contrast_, cos_theta_i);
-    const Value r_s = contrast_ / wave.sum_norm();
+    const Wave wave(permittivity_, contrast_, cos_theta_i);
+    const Value r_s = wave.difference(contrast_) / wave.sum_norm();
     const Value ratio = (wave.cw - wave.s2) / (wave.cw + wave.s2);
     const Value reflectance = Real(0.5) * (r_s * r_s * (Value(1) + ratio * ratio));
     return select_nonnegative(wave.w2, at_most(reflectance, Real(1)), Value(1));
@@ -203,7 +274,7 @@ class Dielectric {
   /// precision.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Value absorptance(const Real& cos_theta_i) const {
-    const Wave wave(contrast_, cos_theta_i);
+    const Wave wave(permittivity_, contrast_, cos_theta_i);
     const Value parallel_sum = wave.cw + wave.s2;
     const Value t_s = Real(4) * wave.cw / wave.sum_norm();
     const Value ratio = (wave.w * wave.w + wave.s2) / (parallel_sum * parallel_sum);
@@ -214,7 +285,7 @@ class Dielectric {
   /// Amplitudes r_s and r_p; complex in total reflection.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
-    return detail::fresnel_amplitudes(Complex<Value>{contrast_, Value(0)}, cos_theta_i);
+    return detail::fresnel_amplitudes(permittivity_, Complex<Value>{contrast_, Value(0)}, cos_theta_i);
   }
 
   /// Cosine of the critical angle, below which reflection is total; 0 for n ≥ 1.
@@ -224,23 +295,32 @@ class Dielectric {
   const Value& contrast() const { return contrast_; }
 
  private:
-  struct Contrast {};
   struct Wave {
-    Wave(const Value& contrast, const Real& cos_theta_i)
-        : c(cos_theta_i),
-          s2(at_least(Real((Real(1) - cos_theta_i) * (Real(1) + cos_theta_i)), Real(0))),
-          w2(contrast + c * c) {
+    Wave(const Value& permittivity, const Value& contrast, const Real& cos_theta_i) {
       using std::sqrt;
+      const detail::Incidence<Real> incidence(cos_theta_i);
+      c = Value(incidence.c);
+      s2 = Value(incidence.s2);
+      w2 = incidence.normal_component_squared(permittivity, contrast);
       w = sqrt(at_least(w2, Real(0)));
       cw = c * w;
     }
+    /// (w − c)(w + c), which is m; that is less exact where c and w are of unlike size.
+    Value difference(const Value& contrast) const {
+      return select_nonnegative(Value(w - Real(2) * c), Value((w - c) * (w + c)), contrast);
+    }
     /// (c + w)²
-    Value sum_norm() const { return at_least(Value((c + w) * (c + w)), std::numeric_limits<Real>::min()); }
+    Value sum_norm() const { return (c + w) * (c + w); }
     Value c, s2, w2, w, cw;
   };
 
-  Dielectric(const Value& contrast, Contrast) : contrast_(contrast) {}
+  Dielectric(const Value& n, const Value& n_minus_1) {
+    detail::require_index(n, detail::smallest_index<Real>(), "the refractive index n");
+    permittivity_ = n * n;
+    contrast_ = n_minus_1 * (n + Value(1));
+  }
 
+  Value permittivity_;  // n²
   Value contrast_;
 };
 

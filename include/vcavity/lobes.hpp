@@ -27,6 +27,7 @@
 
 #include "bounces.hpp"
 #include "cavity.hpp"
+#include "turning_vector.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -62,6 +63,13 @@ class Lobes {
   std::size_t size_ = 0;
 };
 
+/// A fraction of the opening below this is the rounding error of a direction at a change of the bounce count;
+/// it is counted with its neighbour.
+template <class Real>
+Real negligible_fraction() {
+  return Real(4) * std::numeric_limits<Real>::epsilon();
+}
+
 /// The series f_j of one first panel, advanced in step with its `PanelImages`.
 template <class Real>
 class ReachedFractions {
@@ -69,67 +77,53 @@ class ReachedFractions {
   /// @param e direction towards the light, e.z ≥ 0
   /// @param images at the first bounce
   ReachedFractions(const Cavity<Real>& cavity, const Vec3<Real>& e, const PanelImages<Real>& images)
-      : sine_(cavity.sin_half()),
-        cosine_(cavity.cos_half()),
+      : opening_(Real(2) * e.z * cavity.sin_half()),
+        sine_(cavity.sin_half()),
         e_z_(e.z),
-        first_normal_(images.normal_component()) {
-    const Real across = largest(e.y);
+        fan_(cavity.cos_half(), cavity.sin_half(), cavity.sin_half(), cavity.versine_half()),
+        slope_(e.z, largest(e.y), cavity.sin_half(), cavity.versine_half()) {
     const Panel facing = e.y < Real(0) ? Panel::two : Panel::one;
-    if (across * cosine_ < e_z_ * sine_) {
-      lit_ = Lit::both_panels;
-    } else {
-      lit_ = images.panel() == facing ? Lit::this_panel : Lit::other_panel;
-      fan_ = {cosine_, sine_};
-      slope_ = {e_z_, across};
-    }
+    const bool is_facing = images.panel() == facing;
+    const Real other_normal = e.z * cavity.sin_half() - largest(e.y) * cavity.cos_half();
+    both_lit_ = other_normal > negligible_fraction<Real>() * opening_;
+    const Real beyond_rim = both_lit_ ? Real(other_normal / opening_) : Real(0);
+    first_ = is_facing ? Real(Real(1) - beyond_rim) : beyond_rim;
   }
 
   /// f_1: the fraction of the opening whose rays meet this panel first.
-  Real first() const {
-    switch (lit_) {
-      case Lit::both_panels:
-        return first_normal_ / (Real(2) * e_z_ * sine_);
-      case Lit::this_panel:
-        return Real(1);
-      default:
-        return Real(0);
-    }
-  }
+  const Real& first() const { return first_; }
 
   /// Steps from f_j to f_{j+1}.
   /// @param images at bounce j + 1
   /// @return f_{j+1}
   Real advance(const PanelImages<Real>& images) {
-    if (lit_ == Lit::both_panels)
-      return at_least(at_most(images.normal_component(), first_normal_), Real(0)) / (Real(2) * e_z_ * sine_);
-    fan_ = rotated(fan_);
-    slope_ = rotated(slope_);
-    if (!(slope_.x > Real(0))) return Real(0);
-    return at_most(Real(fan_.y / sine_ * (slope_.x / e_z_)), Real(1));
+    if (both_lit_) return at_least(at_most(Real(images.normal_component() / opening_), first_), Real(0));
+    fan_.turn();
+    slope_.turn();
+    if (!(slope_.x() > Real(0))) return Real(0);
+    return at_most(Real(fan_.y() / sine_ * (slope_.x() / e_z_)), Real(1));
   }
 
  private:
-  /// Which panels light reaches directly.
-  enum class Lit { both_panels, this_panel, other_panel };
-
-  /// A vector turned by α/2.
-  Vec2<Real> rotated(const Vec2<Real>& v) const {
-    return {v.x * cosine_ - v.y * sine_, v.y * cosine_ + v.x * sine_};
-  }
-
+  Real opening_;  // the width of the opening as the light sees it
   Real sine_;
-  Real cosine_;
   Real e_z_;
-  Real first_normal_;
-  Lit lit_;
-  Vec2<Real> fan_{};    // cos(jα/2), sin(jα/2)
-  Vec2<Real> slope_{};  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
+  bool both_lit_;  // whether light reaches both panels directly
+  Real first_;
+  TurningVector<Real> fan_;    // cos(jα/2), sin(jα/2)
+  TurningVector<Real> slope_;  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
+};
+
+/// What to do with light of which nothing is left, its throughput being below the smallest normal number.
+enum class DarkLight {
+  followed,  ///< to its last bounce, though without any more Fresnel evaluations
+  merged     ///< into one lobe that ends where the light does
 };
 
 /// Calls `visit` with every lobe of a direction; the loop behind `lobes` and `directional_reflectance`.
 ///
-/// A fraction of the opening smaller than 4 ε is the rounding error of a direction at a change of the bounce
-/// count. It is counted with its neighbour, so no such lobe appears.
+/// A fraction of the opening below `negligible_fraction` is the rounding error of a direction at a change of
+/// the bounce count. It is counted with its neighbour, so no such lobe appears.
 ///
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
@@ -137,32 +131,34 @@ class ReachedFractions {
 /// @param visit called as visit(images at the last bounce, weight, throughput)
 template <class Real, FacetReflectance<Real> Facet, class Visit>
 void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces,
-                   Visit&& visit) {
+                   Visit&& visit, DarkLight dark_light = DarkLight::followed) {
   using Value = value_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   assert(e.z >= Real(0));
-  const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
   const int most = std::min(most_bounces, cavity.max_bounces());
+  if (most < 1) return;
 
   for (const Panel first : {Panel::one, Panel::two}) {
     PanelImages<Real> images(cavity, e, first);
     ReachedFractions<Real> fractions(cavity, e, images);
     Value throughput(1);
     Real reached = fractions.first();
-    if (reached < rounding) continue;
-    for (;;) {
-      // Once nothing is left, counting on costs no more Fresnel evaluations.
-      if (largest(throughput) >= std::numeric_limits<Scalar>::min())
+    while (reached > Real(0)) {
+      if (largest(throughput) >= std::numeric_limits<Scalar>::min()) {
         throughput = throughput * reflect(facet, images);
+      } else if (dark_light == DarkLight::merged) {
+        visit(images, reached, throughput);
+        break;
+      }
       PanelImages<Real> next_images = images;
       next_images.advance();
       Real next = images.bounce() < cavity.max_bounces() ? fractions.advance(next_images) : Real(0);
-      if (next < rounding) next = Real(0);
-      if (reached - next < rounding)
+      if (next < negligible_fraction<Real>()) next = Real(0);
+      if (reached - next < negligible_fraction<Real>())
         next = reached;
       else
         visit(images, Real(reached - next), throughput);
-      if (!(next > Real(0)) || images.bounce() >= most) break;
+      if (images.bounce() >= most) break;
       reached = next;
       images = next_images;
     }

@@ -57,6 +57,17 @@ class Mueller {
     return map([&s](const Value& x) { return s * x; }, a);
   }
 
+  /// What becomes of light that travels the same way backwards. By Helmholtz reciprocity the Jones matrix is
+  /// transposed; and of the axes of light that travels along −k, a is the same and b the opposite, so that U
+  /// changes sign.
+  friend Mueller reversed(const Mueller& a) {
+    Mueller result;
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        result.rows_[row][column] = (row == 2) == (column == 2) ? a(column, row) : -a(column, row);
+    return result;
+  }
+
   /// The light that `light` becomes.
   friend Stokes<Value> operator*(const Mueller& a, const Stokes<Value>& light) {
     Stokes<Value> result;

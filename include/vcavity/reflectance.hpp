@@ -23,10 +23,12 @@ power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const V
                                              const Facet& facet, int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   power_t<Facet, Real> reflectance(0);
-  for_each_lobe(cavity, e, facet, most_bounces,
-                [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-                  reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * power(throughput);
-                });
+  for_each_lobe(
+      cavity, e, facet, most_bounces,
+      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
+        reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * power(throughput);
+      },
+      DarkLight::merged);
   return reflectance;
 }
 

@@ -51,7 +51,8 @@ class PanelImages;  // bounces.hpp
 /// What a facet is called with: the cosine of the angle of incidence, or the whole geometry of a bounce if it
 /// cannot do with less.
 template <class Facet, class Real>
-using facet_argument_t = std::conditional_t<std::invocable<const Facet&, const Real&>, Real, PanelImages<Real>>;
+using facet_argument_t =
+    std::conditional_t<std::invocable<const Facet&, const Real&>, Real, PanelImages<Real>>;
 
 /// The value that a facet returns for a bounce in coordinates of type `Real`.
 template <class Facet, class Real>
@@ -73,16 +74,23 @@ const Value& unpolarized(const Value& reflectance) {
   return reflectance;
 }
 
+/// What becomes of light that travels the same way backwards: the same, unless an overload for its type says
+/// otherwise.
+template <class Value>
+const Value& reversed(const Value& reflectance) {
+  return reflectance;
+}
+
 /// What `unpolarized` makes of the reflectance of a groove.
 template <class Facet, class Real>
-using unpolarized_t =
-    std::remove_cvref_t<decltype(unpolarized(std::declval<const power_t<Facet, Real>&>()))>;
+using unpolarized_t = std::remove_cvref_t<decltype(unpolarized(std::declval<const power_t<Facet, Real>&>()))>;
 
 /// A facet reflectance: anything callable with the cosine of the angle of incidence, in [0, 1], or with the
 /// `PanelImages` of a bounce, that returns a value.
 template <class Facet, class Real>
-concept FacetReflectance = std::invocable<const Facet&, const facet_argument_t<Facet, Real>&> &&
-    requires(value_t<Facet, Real> a, power_t<Facet, Real> p) {
+concept FacetReflectance = std::invocable < const Facet&,
+        const facet_argument_t<Facet, Real>
+& > &&requires(value_t<Facet, Real> a, power_t<Facet, Real> p) {
   { a* a } -> std::convertible_to<value_t<Facet, Real>>;
   { p + p } -> std::convertible_to<power_t<Facet, Real>>;
   { scalar_t<value_t<Facet, Real>>(1) * p } -> std::convertible_to<power_t<Facet, Real>>;

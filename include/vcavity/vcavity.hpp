@@ -19,6 +19,11 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
+// What a renderer needs.
+#include "bsdf.hpp"
+#include "groove_frame.hpp"
+#include "spread_bsdf.hpp"
+#include "von_mises_fisher.hpp"
 // Light as a transverse wave: the same with polarisation.
 #include "jones.hpp"
 #include "mueller.hpp"

@@ -199,7 +199,7 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
   }
   if (request_.environment) {
     const glm::dvec3 radiance = reflected_radiance(e);
-    for (const double value : {radiance.r, radiance.g, radiance.b, 1.0}) add(value);
+    for (const double value : {radiance.x, radiance.y, radiance.z, 1.0}) add(value);
     return;
   }
   const std::vector<double>& values = spectrum(e);

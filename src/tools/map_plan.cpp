@@ -13,9 +13,9 @@ namespace vcavity::tools {
 namespace {
 
 // The differences between two maps are searched in the directions of this many pixels along one side.
-constexpr int searched_size = 24;
+constexpr int searched_size = 64;
 // What the directions between them may add.
-constexpr double margin = 1.5;
+constexpr double margin = 2;
 
 std::string bound_in_words(double bound) {
   std::string text = "error at most ";
@@ -59,7 +59,7 @@ double cost(const MapRequest& request) {
 
 std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
   std::vector<MapRequest> candidates;
-  for (const std::size_t stride : {1, 2, 3, 4, 5, 6, 8, 10, 12})
+  for (const std::size_t stride : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u})
     for (const Polarization polarization : {Polarization::none, Polarization::full})
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
         MapRequest candidate = full;

@@ -26,7 +26,7 @@ struct MapPlan {
 /// At one wavelength the tolerance is an absolute error of the reflectance in every direction, see
 /// plan_effects(). For a grid of wavelengths it is a colour difference CIEDE2000: the colours of cheaper maps
 /// (coarser grid, no polarisation, float) are compared with those of the full physics on the given grid in
-/// some hundred directions, and the bound is 1.5 times the largest difference. The planned map then holds the
+/// 1600 directions, and the bound is twice the largest difference. The planned map then holds the
 /// colour only.
 ///
 /// Throws UsageError where a grid of wavelengths has no colour.

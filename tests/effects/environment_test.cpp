@@ -56,11 +56,11 @@ TEST_CASE("an environment is seen with the zenith at the top, +y in the middle a
     return horizon && (column == 3 * height / 2 || column == 3 * height / 2 - 1) ? 1.0f : 0.0f;
   });
   const Environment environment(sky.path());
-  CHECK(environment.radiance({0, 0, 1}).r == Approx(1));
-  CHECK(environment.radiance({0, 1, 0}).g == Approx(1));
-  CHECK(environment.radiance({1, 0, 0}).b == Approx(1));
-  CHECK(environment.radiance({-1, 0, 0}).b == Approx(0).margin(1e-12));
-  CHECK(environment.radiance({0, -1, 0}).g == Approx(0).margin(1e-12));
+  CHECK(environment.radiance({0, 0, 1}).x == Approx(1));
+  CHECK(environment.radiance({0, 1, 0}).y == Approx(1));
+  CHECK(environment.radiance({1, 0, 0}).z == Approx(1));
+  CHECK(environment.radiance({-1, 0, 0}).z == Approx(0).margin(1e-12));
+  CHECK(environment.radiance({0, -1, 0}).y == Approx(0).margin(1e-12));
 }
 
 TEST_CASE("between pixels the radiance is linear, also across the seam behind") {
@@ -69,7 +69,7 @@ TEST_CASE("between pixels the radiance is linear, also across the seam behind") 
   const Environment environment(sky.path());
   const auto at_column = [&](double column) {
     const double azimuth = ((column + 0.5) / (2 * height) - 0.5) * 2 * pi<double>();
-    return environment.radiance(direction(radians(90.0), azimuth)).r;
+    return environment.radiance(direction(radians(90.0), azimuth)).x;
   };
   CHECK(at_column(3) == Approx(3));
   CHECK(at_column(3.25) == Approx(3.25));
@@ -105,7 +105,7 @@ TEST_CASE("a flat mirror shows the sky mirrored in it") {
     for (int column = 0; column < request.size; ++column)
       if (const auto e = pixel_direction(column, row, request.size)) {
         const double expected =
-            Conductor<double>(0.2, 3.4)(e->z) * environment.radiance({-e->x, -e->y, e->z}).g;
+            Conductor<double>(0.2, 3.4)(e->z) * environment.radiance({-e->x, -e->y, e->z}).y;
         CHECK(static_cast<double>(planes[1][static_cast<std::size_t>(row * request.size + column)]) ==
               Approx(expected).epsilon(1e-5));
       }
@@ -126,7 +126,7 @@ TEST_CASE("a right-angled groove shows a viewer himself: light comes back to whe
   CHECK(expected > 0.2);
   MapRequest request = request_for(90, sky);
   const DiscMapper mapper(request);
-  CHECK(mapper.reflected_radiance(viewer).r == Approx(expected).epsilon(1e-6));
+  CHECK(mapper.reflected_radiance(viewer).x == Approx(expected).epsilon(1e-6));
 }
 
 TEST_CASE("a picture without colours is no environment") {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"
@@ -134,6 +135,18 @@ TEST_CASE("the error estimate holds, and a looser tolerance costs less") {
         evaluations = result.evaluations;
       }
     }
+}
+
+TEST_CASE("the tolerance is kept over random grooves and materials") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 60; ++i) {
+    const Cavity<double> cavity(radians(20 + 160 * unit(random)));
+    const Conductor<double> metal(std::exp(-3 + 5 * unit(random)), std::exp(-1 + 5 * unit(random)));
+    const double exact = bihemispherical_reflectance(cavity, metal, 1e-12).value;
+    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
+      CHECK(std::abs(bihemispherical_reflectance(cavity, metal, tolerance).value - exact) < tolerance);
+  }
 }
 
 TEST_CASE("colours are integrated together") {

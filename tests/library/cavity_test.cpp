@@ -7,7 +7,8 @@
 using namespace vcavity;
 using namespace vcavity::test;
 
-TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refused with its value", "", Reals) {
+TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refused with its value", "",
+                        Reals) {
   using Real = TestType;
   for (const Real& aperture :
        {Real(0), Real(-1), Real(3.2), Real(1e30), std::numeric_limits<Real>::quiet_NaN()})
@@ -15,6 +16,14 @@ TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refus
   CHECK_THROWS_WITH(Cavity<Real>(Real(-1)),
                     Catch::Matchers::Contains("(0, π]") && Catch::Matchers::Contains("-1"));
   CHECK_NOTHROW(Cavity<Real>(pi<Real>()));
+}
+
+TEMPLATE_LIST_TEST_CASE("an aperture that rounding has lifted above π is a flat surface", "", Reals) {
+  using Real = TestType;
+  const Cavity<Real> flat(pi<Real>() * (Real(1) + Real(2) * epsilon<Real>()));
+  CHECK(flat.aperture() == pi<Real>());
+  CHECK(flat.max_bounces() == 1);
+  CHECK_THROWS_AS(Cavity<Real>(pi<Real>() * (Real(1) + Real(16) * epsilon<Real>())), std::invalid_argument);
 }
 
 TEMPLATE_LIST_TEST_CASE("panel normals are unit vectors that face each other across the groove", "", Reals) {

@@ -69,10 +69,14 @@ TEST_CASE("below the critical angle a thinner medium reflects everything") {
   CHECK(Conductor<double>(0.7, 0)(0.5) == Approx(1).epsilon(1e-15));
 }
 
-TEST_CASE("an index of exactly one reflects nothing, at any angle") {
-  for (const double c : {0.0, 1e-300, 1e-8, 0.3, 1.0}) {
-    CHECK(Dielectric<double>(1)(c) == 0);
-    CHECK(Conductor<double>(1, 0)(c) == 0);
+TEMPLATE_LIST_TEST_CASE("an index of exactly one reflects nothing and transmits everything, at any angle", "",
+                        Reals) {
+  using Real = TestType;
+  for (const Real& c : {Real(0), std::numeric_limits<Real>::min(), Real(1e-8), Real(0.3), Real(1)}) {
+    CHECK(Dielectric<Real>(Real(1))(c) == Real(0));
+    CHECK(Conductor<Real>(Real(1), Real(0))(c) == Real(0));
+    CHECK(error_in_epsilons(Dielectric<Real>(Real(1)).absorptance(c), 1) <= 2);
+    CHECK(error_in_epsilons(Conductor<Real>(Real(1), Real(0)).absorptance(c), 1) <= 2);
   }
 }
 
@@ -91,7 +95,8 @@ TEMPLATE_LIST_TEST_CASE(
   for (int i = 0; i < 20000; ++i) {
     const Real n = static_cast<Real>(std::exp(-3 + 7 * unit(random)));
     const Real k = static_cast<Real>(std::exp(-9 + 14 * unit(random)));
-    const Real c = static_cast<Real>(i % 3 == 0 ? std::pow(unit(random), 8) : unit(random));
+    const Real c = std::max(static_cast<Real>(i % 3 == 0 ? std::pow(unit(random), 8) : unit(random)),
+                            vcavity::detail::smallest_cosine<Real>());
     const Wide exact = Textbook(Wide(n), Wide(k), Wide(c)).reflectance();
     const Wide rest = 1 - exact;
     const Conductor<Real> metal(n, k);
@@ -104,8 +109,8 @@ TEMPLATE_LIST_TEST_CASE(
                                                         std::max(1.0, absorptance_condition / 2));
   }
   CAPTURE(worst_reflectance, worst_absorptance);
-  CHECK(worst_reflectance < 16);
-  CHECK(worst_absorptance < 16);
+  CHECK(worst_reflectance < 8);
+  CHECK(worst_absorptance < 8);
 }
 
 TEMPLATE_LIST_TEST_CASE("weak contrast keeps its digits", "", HardwareReals) {
@@ -115,8 +120,8 @@ TEMPLATE_LIST_TEST_CASE("weak contrast keeps its digits", "", HardwareReals) {
     for (const double cosine : {1.0, 0.9, 0.5, 0.1}) {
       const Real c = static_cast<Real>(cosine);
       const Wide exact = Textbook(1 + Wide(n_minus_1), Wide(0), Wide(c)).reflectance();
-      CHECK(error_in_epsilons(Dielectric<Real>::from_contrast(n_minus_1)(c), exact) < 12);
-      CHECK(error_in_epsilons(Conductor<Real>::from_contrast(n_minus_1, Real(0))(c), exact) < 12);
+      CHECK(error_in_epsilons(Dielectric<Real>::from_contrast(n_minus_1)(c), exact) < 8);
+      CHECK(error_in_epsilons(Conductor<Real>::from_contrast(n_minus_1, Real(0))(c), exact) < 8);
     }
   }
 }

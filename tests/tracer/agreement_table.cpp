@@ -24,10 +24,8 @@ constexpr double most_rays = 1e8;
 
 constexpr const char* usage =
     "Usage: vcavity_agreement [RAYS]\n"
-    "Traces RAYS rays of diffuse light (2e5 to 1e8, default 1e6) across grooves of each aperture, compares "
-    "every ray and "
-    "the mean\n"
-    "with the closed form of vcavity, and prints a Markdown table.\n"
+    "Traces RAYS rays of diffuse light (2e5 to 1e8, default 1e6) across grooves of each aperture,\n"
+    "compares every ray and the mean with the closed form of vcavity, and prints a Markdown table.\n"
     "Exit status: 0 if they agree, 1 if they do not, 2 for a wrong argument.\n";
 
 struct Row {
@@ -75,9 +73,8 @@ Block agree(double aperture, int points) {
 
 void print_heading() {
   std::puts(
-      "| aperture | material | rays | mismatches | inside the margin | refined | theory | traced | "
-      "difference / σ | "
-      "rays per second |\n"
+      "| aperture | material | rays | mismatches | inside the margin | refined "
+      "| theory | traced | difference / σ | rays per second |\n"
       "|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|");
 }
 
@@ -111,10 +108,9 @@ bool print_table(double rays) {
     all_means.insert(all_means.end(), means.begin(), means.end());
     for (const Row& row : block.rows) all_rays += row.rays;
   }
-  std::printf(
-      "\nThe margin is %g panel widths. Outside it directions differ by %.1e at most, products by %.1e of "
-      "their value. ",
-      edge_margin, all_rays.largest_direction_error, all_rays.largest_product_error);
+  std::printf("\nThe margin is %g panel widths. Outside it directions differ by %.1e at most, ", edge_margin,
+              all_rays.largest_direction_error);
+  std::printf("products by %.1e of their value.\n", all_rays.largest_product_error);
   std::printf("The %zu means may differ by %.2f σ, with a false alarm for one seed in %g, and by %g.\n",
               all_means.size(), allowed_sigmas(static_cast<int>(all_means.size())), 1 / false_alarm_rate,
               mean_tolerance);

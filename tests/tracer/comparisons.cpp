@@ -71,15 +71,19 @@ LightRay diffuse_ray(double aperture, const std::array<double, 3>& u) {
 }
 
 std::vector<LightRay> special_directions(double aperture) {
-  return {{aperture, 0, 0, 0},
-          {aperture, grazing, 0, 0},
-          {aperture, grazing, pi, 0},
-          {aperture, grazing, pi / 2, 0},
-          {aperture, grazing, 1, 0},
-          {aperture, pi / 4, pi / 2, 0},
-          {aperture, pi / 6, 0, 0},
-          {aperture, pi / 3, 5.0, 0},
-          {aperture, std::min(aperture / 2, grazing), 0, 0}};
+  const double parallel = std::min(aperture / 2, grazing);
+  return {
+      {aperture, 0, 0, 0},
+      {aperture, grazing, 0, 0},
+      {aperture, grazing, pi, 0},
+      {aperture, grazing, 1, 0},
+      {aperture, grazing, pi / 2, 0},
+      {aperture, pi / 4, pi / 2, 0},
+      {aperture, pi / 6, 0, 0},
+      {aperture, pi / 3, 5, 0},
+      {aperture, parallel, 0, 0},
+      {aperture, 0.98 * parallel, 0, 0},
+  };
 }
 
 RayAgreement compare_rays(const RayTheory& theory, double aperture, std::int64_t rays, std::uint64_t seed) {

@@ -22,8 +22,8 @@ double degrees(double radians);
 LightRay diffuse_ray(double aperture, const std::array<double, 3>& u);
 
 /// The directions where closed forms go wrong, the position left open: along the normal, grazing across,
-/// along and askew to the groove, in the plane of the groove's length, and parallel to a panel, where the
-/// second panel stops being lit first.
+/// along and askew to the groove, in the plane of the groove's length, and parallel and almost parallel to a
+/// panel, where the second panel stops being lit directly.
 std::vector<LightRay> special_directions(double aperture);
 
 /// Traces rays of one aperture, one half in special directions and the other in directions spread over the

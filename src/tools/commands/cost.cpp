@@ -24,9 +24,9 @@ struct CostOptions {
   std::string plot;
 };
 
-/// Two digits, or all before the decimal point.
+/// Two digits, or a whole number where that is short.
 std::string rounded(double value) {
-  return value < 100 ? with_digits(value, 2) : with_decimals(value, 0);
+  return value < 100 || value >= 1e5 ? with_digits(value, 2) : with_decimals(value, 0);
 }
 
 std::string in_seconds(double seconds) {

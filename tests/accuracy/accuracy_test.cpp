@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The bounds of docs/accuracy.md: at the worst arguments that long searches have found, and in a short
+/// search of its own.
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "accuracy/subjects.hpp"
+#include "support/catch.hpp"
+
+using namespace vcavity::test;
+
+TEMPLATE_LIST_TEST_CASE("errors stay within their bounds at the worst arguments ever found", "",
+                        HardwareReals) {
+  using Real = TestType;
+  std::ifstream file(VCAVITY_TEST_DATA "/worst_arguments.csv");
+  REQUIRE(file);
+  const auto subjects = all_subjects<Real>();
+  std::size_t checked = 0;
+  for (const Row& row : read_rows(file)) {
+    if (row.type != type_name<Real>()) continue;
+    const auto subject = std::find_if(subjects.begin(), subjects.end(),
+                                      [&](const auto& candidate) { return candidate.name == row.function; });
+    REQUIRE(subject != subjects.end());
+    REQUIRE(row.arguments.size() == subject->argument_names.size());
+    const std::vector<Real> arguments(row.arguments.begin(), row.arguments.end());
+    const Error error = error_of(*subject, arguments);
+    CAPTURE(row.function, row.type, error.condition);
+    CHECK(error.epsilons <= error.bound);
+    ++checked;
+  }
+  CHECK(checked >= subjects.size());
+}
+
+TEMPLATE_LIST_TEST_CASE("a short search finds no error beyond its bound", "", HardwareReals) {
+  using Real = TestType;
+  for (const Subject<Real>& subject : all_subjects<Real>()) {
+    Random random(20261122);
+    const WorstCase<Real> worst = find_worst_case(subject, 400, 400, random);
+    CAPTURE(subject.name, worst.arguments, worst.error.condition);
+    CHECK(worst.error.epsilons <= worst.error.bound);
+    CHECK(worst.error.epsilons > 0);  // a subject that measures nothing would always be right
+  }
+}
