@@ -19,6 +19,7 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
+#include "turning_vector.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"
