@@ -5,10 +5,12 @@
 Rays are traced in real space between the two panels (no unfolding, no bounce-count formula); the positions at which the
 bounce count changes are found by bisection; Fresnel's equations are used in their textbook complex form; and the
 integrals over theta' and psi use tanh-sinh quadrature, which does not mind square roots at the ends of a panel. A panel
-is cut wherever the sequence of bounces may change and at the critical angle.
+is cut wherever the sequence of bounces may change and at the critical angle. Polarised light is a complex field vector,
+split at every mirror into its parts normal to and in the plane of incidence.
 
 Prints JSON: rows of aperture_deg, n, k, and the reflectance with at most 1, 2 and any number of bounces ("cap1", "cap2",
-"scalar"), with the change under a halved quadrature step as "error".
+"scalar"), that of unpolarised light when its polarisation is followed ("polarized"), with the largest change under a
+halved quadrature step as "error".
 
     python3 scripts/hemispherical_reference.py > tests/data/hemispherical_reference.json
 """
@@ -70,7 +72,7 @@ def bisect(f, low, high):
 
 
 def lobes(alpha, theta):
-    """(weight, incidence cosines at psi = 0) of every lobe."""
+    """(weight, first panel, incidence cosines at psi = 0) of every lobe."""
     nudge = 1e-13  # stay off the rims and the apex
 
     def first(y):
@@ -91,16 +93,53 @@ def lobes(alpha, theta):
         if abs(a - b) > 1:
             raise RuntimeError(f"bounce counts {a} and {b} on one side of the groove")
         cuts = [low, high] if a == b else [low, bisect(count, *inside), high]
-        found += [((q - p) / 2, trace(alpha, theta, (p + q) / 2)[1]) for p, q in zip(cuts, cuts[1:]) if q - p > nudge]
+        found += [((q - p) / 2, *trace(alpha, theta, (p + q) / 2)) for p, q in zip(cuts, cuts[1:]) if q - p > nudge]
     return found
 
 
-def fresnel(n, k, c):
+def amplitudes(n, k, c):
+    """r_s and r_p, the latter for the axis k x s before and after."""
     eta2 = complex(n, k) ** 2
     w = cmath.sqrt(eta2 - (1 - c * c))
-    r_s = (c - w) / (c + w)
-    r_p = (eta2 * c - w) / (eta2 * c + w)
+    return (c - w) / (c + w), (eta2 * c - w) / (eta2 * c + w)
+
+
+def fresnel(n, k, c):
+    r_s, r_p = amplitudes(n, k, c)
     return (abs(r_s) ** 2 + abs(r_p) ** 2) / 2
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def polarized(n, k, alpha, theta, psi, first, bounces):
+    """Reflectance of unpolarised light, half the sum for two orthogonal fields, followed in space."""
+    sh, ch = math.sin(alpha / 2), math.cos(alpha / 2)
+    sp, cp, st, ct = math.sin(psi), math.cos(psi), math.sin(theta), math.cos(theta)
+    normals = {1: (0.0, ch, sh), 2: (0.0, -ch, sh)}
+    travel = (-sp, -cp * st, -cp * ct)
+    fields = [(cp, -sp * st, -sp * ct), (0.0, ct, -st)]
+    panel = first
+    for _ in range(bounces):
+        normal = normals[panel]
+        cosine = -dot(travel, normal)
+        s = cross(travel, normal)
+        length = math.sqrt(dot(s, s))
+        # Along the normal every s will do.
+        s = tuple(x / length for x in s) if length > 1e-12 else (1.0, 0.0, 0.0)
+        p = cross(travel, s)
+        travel = tuple(t + 2 * cosine * x for t, x in zip(travel, normal))
+        q = cross(travel, s)
+        r_s, r_p = amplitudes(n, k, cosine)
+        split = [(r_s * dot(field, s), r_p * dot(field, p)) for field in fields]
+        fields = [tuple(e_s * a + e_p * b for a, b in zip(s, q)) for e_s, e_p in split]
+        panel = 3 - panel
+    return sum(abs(x) ** 2 for field in fields for x in field) / 2
 
 
 def tanh_sinh(level):
@@ -131,24 +170,30 @@ def hemispherical(alpha, n, k, cuts_theta, level):
     critical = math.sqrt(1 - n * n) if k == 0 and n < 1 else 0.0
     # A pseudo-Brewster angle near grazing needs panels that shrink towards psi = pi/2.
     graded = [math.pi / 2 * (1 - 4.0**-i) for i in range(1, 5)]
-    totals = [0.0, 0.0, 0.0]
+    totals = [0.0, 0.0, 0.0, 0.0]
     for a, b in zip(cuts_theta, cuts_theta[1:]):
         for from_low, distance, weight in nodes:
             theta = a + (b - a) * distance if from_low else b - (b - a) * distance
             found = lobes(alpha, theta)
             cuts = {0.0, math.pi / 2, *graded}
-            cuts |= {math.acos(critical / c) for _, cs in found for c in cs if critical and c > critical}
+            cuts |= {math.acos(critical / c) for _, _, cs in found for c in cs if critical and c > critical}
             psi_cuts = sorted(cuts)
-            for lobe_weight, cosines in found:
+            for lobe_weight, panel, cosines in found:
 
                 def along(psi):
                     c = math.cos(psi)
                     return c * c * math.prod(fresnel(n, k, c * x) for x in cosines)
 
-                part = (b - a) * weight * math.cos(theta) * lobe_weight * integrate(along, psi_cuts, nodes)
+                def along_polarized(psi):
+                    bounces = len(cosines)
+                    return math.cos(psi) ** 2 * polarized(n, k, alpha, theta, psi, panel, bounces)
+
+                factor = (b - a) * weight * math.cos(theta) * lobe_weight
+                part = factor * integrate(along, psi_cuts, nodes)
                 for i, most in enumerate((1, 2, 10**9)):
                     if len(cosines) <= most:
                         totals[i] += part
+                totals[3] += factor * integrate(along_polarized, psi_cuts, nodes) if len(cosines) > 1 else part
     return [4 / math.pi * total for total in totals]
 
 
@@ -180,7 +225,7 @@ def main():
             fine = hemispherical(alpha, n, k, cuts, 16)
             error = max(abs(a - b) for a, b in zip(coarse, fine))
             rows.append({"aperture_deg": aperture_deg, "n": n, "k": k, "scalar": fine[2], "cap1": fine[0],
-                         "cap2": fine[1], "error": error})
+                         "cap2": fine[1], "polarized": fine[3], "error": error})
             print(rows[-1], file=sys.stderr)
     about = "Bi-hemispherical reflectance, printed by scripts/hemispherical_reference.py (see there for the method)."
     print(json.dumps({"about": about, "bihemispherical": rows}, indent=1))

@@ -122,7 +122,7 @@ def main():
         f"{len(rows)} files from the refractiveindex.info database {release} (M. N. Polyanskiy, *Sci. Data* **11**, 94 (2024), "
         "https://doi.org/10.1038/s41597-023-02898-2), CC0 1.0, unchanged but for a header.\n"
         "Wavelengths in µm, index n + ik with k ≥ 0; a file without k is taken as transparent. The bold material name is "
-        "short for that source, see `defaults.yml`.\n"
+        "short for that source, see `defaults.yml`;\nthese defaults cover 380 to 780 nm, that of PMMA begins at 400 nm.\n"
         "Printed by `scripts/import_materials.py`.\n\n"
         "| Material | Name | Data | Range (µm) | Licence | Citation |\n|---|---|---|---|---|---|\n"
         + "\n".join(rows) + "\n", encoding="utf-8")

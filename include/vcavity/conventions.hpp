@@ -16,6 +16,10 @@
 ///    of that plane.
 ///  - The complex refractive index is n + ik with k ≥ 0 (time dependence exp(−iωt)), relative to the incident
 ///  medium.
+///  - Polarised light that travels along the unit vector k is described in the axes a, b, k, right-handed:
+///  a = `polarization_axis(k)` lies in the plane of k and the groove, b = k × a. With field components E_a
+///  and E_b its Stokes parameters are I = |E_a|² + |E_b|², Q = |E_a|² − |E_b|² and U + iV = 2 E_a E_b*; so V
+///  > 0 turns clockwise as seen by the receiver.
 ///  - Angles are radians unless the name ends in `_deg`. A position on the opening is a fraction in [−1, 1]
 ///  of its half
 ///    width.
@@ -80,6 +84,21 @@ Vec3<Real> direction(Real theta, Real phi) {
   using std::sin;
   const Real sin_theta = sin(theta);
   return {sin_theta * sin(phi), sin_theta * cos(phi), cos(theta)};
+}
+
+/// The first axis of polarised light, the direction along the groove as far as it is normal to k.
+///
+/// Fixed to the groove and not to the mean normal, it exists for all light that enters or leaves a groove
+/// except along it, and a reflection never turns it out of its plane.
+///
+/// @param k unit vector in the direction of travel
+/// @return a unit vector normal to k; the mean normal z where k lies along the groove
+template <class Real>
+Vec3<Real> polarization_axis(const Vec3<Real>& k) {
+  using std::sqrt;
+  const Real across = sqrt(k.y * k.y + k.z * k.z);
+  if (!(across > Real(0))) return {Real(0), Real(0), Real(1)};
+  return {across, -k.x * k.y / across, -k.x * k.z / across};
 }
 
 }  // namespace vcavity

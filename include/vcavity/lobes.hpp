@@ -145,7 +145,7 @@ void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet&
     Real reached = fractions.first();
     while (reached > Real(0)) {
       if (largest(throughput) >= std::numeric_limits<Scalar>::min()) {
-        throughput = throughput * facet(images.cos_theta_i());
+        throughput = throughput * reflect(facet, images);
       } else if (dark_light == DarkLight::merged) {
         visit(images, reached, throughput);
         break;

@@ -18,10 +18,10 @@ namespace vcavity::paper_method {
 /// @param positions number of rays across the opening, ≥ 1
 /// @param most_bounces rays of more bounces count as black
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
                                              const Facet& facet, int positions,
                                              int most_bounces = all_bounces) {
-  using Value = value_t<Facet, Real>;
+  using Value = power_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   Value sum(0);
   for (int i = 0; i < positions; ++i) {
@@ -38,12 +38,12 @@ value_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const V
 /// @param azimuthal number of azimuths φ in [0, 2π), ≥ 1
 /// @param most_bounces rays of more bounces count as black
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
+power_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
                                                  int positions, int polar, int azimuthal,
                                                  int most_bounces = all_bounces) {
   using std::cos;
   using std::sin;
-  using Value = value_t<Facet, Real>;
+  using Value = power_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   const Real theta_step = pi<Real>() / Real(2 * polar);
   const Real phi_step = Real(2) * pi<Real>() / Real(azimuthal);

@@ -17,16 +17,16 @@ namespace vcavity {
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces light that needs more bounces is left out
-/// @return a value of the facet's type
+/// @return a value of the facet's type, or what its `power` makes of it
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
                                              const Facet& facet, int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
-  Value reflectance(0);
+  power_t<Facet, Real> reflectance(0);
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * throughput;
+        reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * power(throughput);
       },
       DarkLight::merged);
   return reflectance;

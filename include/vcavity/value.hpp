@@ -12,6 +12,9 @@
 ///  left);
 ///  - `a + b`, and `s * a` for a number s of type `scalar_t<Value>`;
 ///  - `largest(a)`, found by argument-dependent look-up: a number that is small only if all of `a` is small.
+///
+/// A value that multiplies but does not add up, such as the field amplitudes of a `Jones` matrix, says with
+/// an overload of `power` what adds up in its place, and needs neither sums nor multiples itself.
 
 #include <concepts>
 #include <glm/common.hpp>
@@ -19,6 +22,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace vcavity {
 
@@ -41,17 +45,55 @@ requires(!Number<Value>) struct Scalar<Value> {
 template <class Value>
 using scalar_t = typename detail::Scalar<Value>::type;
 
-/// The value that a facet returns for a cosine of type `Real`.
-template <class Facet, class Real>
-using value_t = std::remove_cvref_t<std::invoke_result_t<const Facet&, Real>>;
+template <class Real>
+class PanelImages;  // bounces.hpp
 
-/// A facet reflectance: anything callable with the cosine of the angle of incidence, in [0, 1], that returns
-/// a value.
+/// What a facet is called with: the cosine of the angle of incidence, or the whole geometry of a bounce if it
+/// cannot do with less.
 template <class Facet, class Real>
-concept FacetReflectance = std::invocable<const Facet&, Real> && requires(value_t<Facet, Real> a) {
+using facet_argument_t =
+    std::conditional_t<std::invocable<const Facet&, const Real&>, Real, PanelImages<Real>>;
+
+/// The value that a facet returns for a bounce in coordinates of type `Real`.
+template <class Facet, class Real>
+using value_t = std::remove_cvref_t<std::invoke_result_t<const Facet&, const facet_argument_t<Facet, Real>&>>;
+
+/// What adds up from one lobe to the next: a value itself, unless an overload for its type says otherwise.
+template <class Value>
+const Value& power(const Value& throughput) {
+  return throughput;
+}
+
+/// What `power` makes of the values of a facet.
+template <class Facet, class Real>
+using power_t = std::remove_cvref_t<decltype(power(std::declval<const value_t<Facet, Real>&>()))>;
+
+/// The reflectance of unpolarised light: the value itself, unless an overload for its type says otherwise.
+template <class Value>
+const Value& unpolarized(const Value& reflectance) {
+  return reflectance;
+}
+
+/// What becomes of light that travels the same way backwards: the same, unless an overload for its type says
+/// otherwise.
+template <class Value>
+const Value& reversed(const Value& reflectance) {
+  return reflectance;
+}
+
+/// What `unpolarized` makes of the reflectance of a groove.
+template <class Facet, class Real>
+using unpolarized_t = std::remove_cvref_t<decltype(unpolarized(std::declval<const power_t<Facet, Real>&>()))>;
+
+/// A facet reflectance: anything callable with the cosine of the angle of incidence, in [0, 1], or with the
+/// `PanelImages` of a bounce, that returns a value.
+template <class Facet, class Real>
+concept FacetReflectance = std::invocable < const Facet&,
+        const facet_argument_t<Facet, Real>
+& > &&requires(value_t<Facet, Real> a, power_t<Facet, Real> p) {
   { a* a } -> std::convertible_to<value_t<Facet, Real>>;
-  { a + a } -> std::convertible_to<value_t<Facet, Real>>;
-  { scalar_t<value_t<Facet, Real>>(1) * a } -> std::convertible_to<value_t<Facet, Real>>;
+  { p + p } -> std::convertible_to<power_t<Facet, Real>>;
+  { scalar_t<value_t<Facet, Real>>(1) * p } -> std::convertible_to<power_t<Facet, Real>>;
 };
 
 /// The largest magnitude in a value.

@@ -20,6 +20,17 @@
 #include "quadrature.hpp"
 #include "reflectance.hpp"
 #include "turning_vector.hpp"
+// What a renderer needs.
+#include "bsdf.hpp"
+#include "groove_frame.hpp"
+#include "spread_bsdf.hpp"
+#include "von_mises_fisher.hpp"
+// Light as a transverse wave: the same with polarisation.
+#include "jones.hpp"
+#include "mueller.hpp"
+#include "polarization.hpp"
+// What of all this a scene needs.
+#include "planner.hpp"
 // To look at it, and to compare with.
 #include "paper_method.hpp"
 #include "projection.hpp"

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -14,54 +15,65 @@
 #include <vcavity/vcavity.hpp>
 
 #include "tools/commands/text_table.hpp"
-#include "tools/facet.hpp"
+#include "tools/error.hpp"
 #include "tools/provenance.hpp"
 
 namespace vcavity::tools {
 namespace {
 
 // Wavelengths that are computed together; two registers of AVX2.
-constexpr std::size_t pack_size = 8;
-using Wavelengths = Pack<double, pack_size>;
+template <class Real>
+constexpr std::size_t pack_size = 64 / sizeof(Real);
+template <class Real>
+using Wavelengths = Pack<Real, pack_size<Real>>;
+
+std::string in_words(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bounces:
+      return "number of bounces, mean over the opening in Y";
+    case Quantity::degree_of_polarization:
+      return "degree of polarisation under unpolarised diffuse light";
+    case Quantity::absorptance:
+      return "directional absorptance, which is the directional emissivity";
+    default:
+      return "hemispherical-directional reflectance factor";
+  }
+}
+
+std::string in_words(const Viewing& viewing) {
+  return std::string("linear ") + (viewing.rgb == RgbSpace::rec2020 ? "Rec. 2020" : "sRGB") +
+         " of the spectrum under " + load_light(viewing.light).name + ", " +
+         (viewing.observer == Observer::cie_1964_10deg ? "CIE 1964 10" : "CIE 1931 2") +
+         " degree observer; neither clipped nor adapted to another white";
+}
+
+}  // namespace
 
 std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
   const double scale = std::numbers::sqrt2 / size;
   return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
 }
 
-// The spectrum of directional reflectance, a pack of wavelengths at a time.
-void fill_spectrum(const Cavity<double>& cavity, const Vec3<double>& e,
-                   const std::vector<RefractiveIndex>& indices, int most_bounces,
-                   std::vector<double>& spectrum) {
-  spectrum.resize(indices.size());
-  for (std::size_t start = 0; start < indices.size(); start += pack_size) {
-    const std::size_t count = std::min(pack_size, indices.size() - start);
-    Wavelengths n(1.0);
-    Wavelengths k(0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      n[i] = indices[start + i].n;
-      k[i] = indices[start + i].k;
-    }
-    const Wavelengths reflectance =
-        directional_reflectance(cavity, e, Conductor<Wavelengths>(n, k), most_bounces);
-    std::copy_n(reflectance.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
-  }
-}
-
-}  // namespace
-
 DiscMapper::DiscMapper(MapRequest request)
-    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+    : request_(std::move(request)),
+      cavity_(radians(request_.aperture_deg)),
+      cavity_in_single_(std::min(static_cast<float>(cavity_.aperture()), pi<float>())) {
+  if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
+    throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
   for (const double wavelength_nm : request_.wavelengths_nm)
     indices_.push_back(request_.material.at(wavelength_nm));
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
+  } else if (request_.environment) {
+    channels_ = {"R", "G", "B", "A"};
   } else if (indices_.size() == 1) {
     channels_ = {"Y", "A"};
   } else {
     const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
-    if (std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
-      weights_.emplace(request_.wavelengths_nm);
+    if (request_.quantity == Quantity::reflectance &&
+        std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
+      weights_.emplace(request_.wavelengths_nm, load_light(request_.viewing.light),
+                       request_.viewing.observer);
       channels_ = {"R", "G", "B"};
     }
     channels_.push_back("A");
@@ -82,17 +94,18 @@ ExrAttributes DiscMapper::attributes() const {
                                  "across the groove, v upwards along it")}};
   const bool limited = request_.most_bounces != all_bounces;
   result["maxBounces"] = limited ? std::to_string(request_.most_bounces) : std::string("all");
-  if (request_.quantity == Quantity::bounces) {
-    result["quantity"] = std::string("number of bounces, mean over the opening in Y");
-    result["units"] = std::string("1");
-    return result;
-  }
-  result["quantity"] = std::string("hemispherical-directional reflectance factor");
+  result["quantity"] = in_words(request_.quantity);
   result["units"] = std::string("1");
-  if (indices_.size() > 1 && request_.spectrum == Spectrum::written) result.insert(spectral_layout_version());
+  if (request_.quantity == Quantity::bounces) return result;
+  result["polarization"] = std::string(name_of(request_.polarization));
+  if (request_.environment) {
+    result["quantity"] = std::string("radiance reflected from the environment");
+    result["units"] = std::string("those of the environment");
+  }
+  if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
+    result.insert(spectral_layout_version());
   if (weights_) {
-    result["colour"] =
-        std::string("linear sRGB of the spectrum under D65, CIE 1931 2 degree observer; unclipped");
+    result["colour"] = in_words(request_.viewing);
   }
   if (indices_.size() == 1) {
     result["wavelengthNm"] = request_.wavelengths_nm.front();
@@ -100,6 +113,73 @@ ExrAttributes DiscMapper::attributes() const {
     result["extinctionK"] = indices_.front().k;
   }
   return result;
+}
+
+template <class Real, class Facet>
+value_t<Facet, Real> DiscMapper::quantity_of(const Cavity<Real>& cavity, const Facet& facet,
+                                             const Vec3<double>& direction) const {
+  using Value = value_t<Facet, Real>;
+  const Vec3<Real> e(direction);
+  if (request_.quantity == Quantity::absorptance && request_.polarization == Polarization::none)
+    return directional_absorptance(cavity, e, facet);
+  return with_polarization(request_.polarization, facet, [&](const auto& model) -> Value {
+    const auto reflectance = directional_reflectance(cavity, e, model, request_.most_bounces);
+    if constexpr (requires { diattenuation(reflectance); })
+      if (request_.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
+    if (request_.quantity == Quantity::absorptance) return Value(1) - unpolarized(reflectance);
+    return unpolarized(reflectance);
+  });
+}
+
+// A pack of wavelengths at a time.
+template <class Real>
+void DiscMapper::fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e,
+                               std::vector<double>& spectrum) const {
+  spectrum.resize(indices_.size());
+  for (std::size_t start = 0; start < indices_.size(); start += pack_size<Real>) {
+    const std::size_t count = std::min(pack_size<Real>, indices_.size() - start);
+    Wavelengths<Real> n(1);
+    Wavelengths<Real> k(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      n[i] = static_cast<Real>(indices_[start + i].n);
+      k[i] = static_cast<Real>(indices_[start + i].k);
+    }
+    const Wavelengths<Real> values = quantity_of(cavity, Conductor<Wavelengths<Real>>(n, k), e);
+    std::copy_n(values.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
+  }
+}
+
+// Valid until the next call on the same thread.
+const std::vector<double>& DiscMapper::spectrum(const Vec3<double>& e) const {
+  thread_local std::vector<double> values;
+  if (request_.precision == Precision::single_precision) {
+    fill_spectrum(cavity_in_single_, e, values);
+  } else if (indices_.size() > 1) {
+    fill_spectrum(cavity_, e, values);
+  } else {
+    values.assign(
+        1, with_facet(indices_.front(), [&](const auto& facet) { return quantity_of(cavity_, facet, e); }));
+  }
+  return values;
+}
+
+Xyz DiscMapper::colour(const Vec3<double>& e) const {
+  return weights_->colour(spectrum(e));
+}
+
+// A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
+// wide as its weight, and in it the environment behind the lobe.
+glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
+  const auto index = [&](std::size_t channel) { return indices_[std::min(channel, indices_.size() - 1)]; };
+  const Conductor<glm::dvec3> facet({index(0).n, index(1).n, index(2).n},
+                                    {index(0).k, index(1).k, index(2).k});
+  return with_polarization(request_.polarization, facet, [&](const auto& model) {
+    glm::dvec3 sum(0.0);
+    for (const auto& lobe : lobes(cavity_, e, model, request_.most_bounces))
+      sum +=
+          lobe.weight * unpolarized(power(lobe.throughput)) * request_.environment->radiance(lobe.direction);
+    return sum;
+  });
 }
 
 void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
@@ -117,22 +197,24 @@ void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) co
     for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
     return;
   }
-  if (indices_.size() == 1) {
-    add(with_facet(indices_.front(), [&](const auto& facet) {
-      return directional_reflectance(cavity_, e, facet, request_.most_bounces);
-    }));
+  if (request_.environment) {
+    const glm::dvec3 radiance = reflected_radiance(e);
+    for (const double value : {radiance.x, radiance.y, radiance.z, 1.0}) add(value);
+    return;
+  }
+  const std::vector<double>& values = spectrum(e);
+  if (values.size() == 1) {
+    add(values.front());
     add(1);
     return;
   }
-  thread_local std::vector<double> spectrum;
-  fill_spectrum(cavity_, e, indices_, request_.most_bounces, spectrum);
   if (weights_) {
-    const LinearRgb colour = to_linear_srgb(weights_->colour(spectrum));
+    const LinearRgb colour = to_linear_rgb(weights_->colour(values), request_.viewing.rgb);
     for (const double value : {colour.r, colour.g, colour.b}) add(value);
   }
   add(1);
   if (request_.spectrum == Spectrum::written)
-    for (const double value : spectrum) add(value);
+    for (const double value : values) add(value);
 }
 
 std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const {
@@ -143,13 +225,17 @@ std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const 
   std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
   tbb::parallel_for(0, rows, [&](int row) {
     thread_local std::vector<float> pixel;
-    // The groove is its own mirror image: the left half of a row tells the right half.
-    for (int column = 0; column < (size + 1) / 2; ++column) {
+    // The groove is its own mirror image: the left half of a row tells the right half, under any light that
+    // is symmetric too.
+    const bool symmetric = !request_.environment;
+    for (int column = 0; column < (symmetric ? (size + 1) / 2 : size); ++column) {
       const auto e = pixel_direction(column, first_row + row, size);
       if (!e) continue;
       fill_pixel(*e, pixel);
-      for (std::size_t channel = 0; channel < planes.size(); ++channel)
-        planes[channel][at(row, column)] = planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      for (std::size_t channel = 0; channel < planes.size(); ++channel) {
+        planes[channel][at(row, column)] = pixel[channel];
+        if (symmetric) planes[channel][at(row, size - 1 - column)] = pixel[channel];
+      }
     }
   });
   return planes;
@@ -159,10 +245,11 @@ namespace {
 
 // Calls `use` with the planes of one block of rows after the other.
 template <class Use>
-void for_each_block(const DiscMapper& mapper, Progress& progress, Use&& use) {
+void for_each_block(const DiscMapper& mapper, int chunks, Progress& progress, Use&& use) {
   const int size = mapper.request().size;
-  for (int row = 0; row < size; row += map_block_rows) {
-    const int rows = std::min(map_block_rows, size - row);
+  const int block_rows = chunks * chunk_rows;
+  for (int row = 0; row < size; row += block_rows) {
+    const int rows = std::min(block_rows, size - row);
     use(rows, mapper.rows(row, rows));
     progress.advance(static_cast<std::uint64_t>(rows));
   }
@@ -173,21 +260,26 @@ void for_each_block(const DiscMapper& mapper, Progress& progress, Use&& use) {
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
   ExrImage image{mapper.request().size, mapper.request().size, {}, mapper.attributes()};
   for (const std::string& channel : mapper.channels()) image.channels.push_back({channel, {}});
-  for_each_block(mapper, progress, [&](int, const std::vector<std::vector<float>>& planes) {
+  constexpr int chunks = 2;
+  for_each_block(mapper, chunks, progress, [&](int, const std::vector<std::vector<float>>& planes) {
     for (std::size_t i = 0; i < planes.size(); ++i)
       image.channels[i].plane.insert(image.channels[i].plane.end(), planes[i].begin(), planes[i].end());
   });
   return image;
 }
 
-void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress) {
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress) {
   const int size = mapper.request().size;
   ExrHeader header;
   header.width = header.height = size;
   header.channels = mapper.channels();
   header.attributes = mapper.attributes();
+  header.number = storage.number;
+  header.compression = storage.compression;
+  if (mapper.request().viewing.rgb == RgbSpace::rec2020) header.primaries = ExrPrimaries::rec2020;
   ExrWriter writer(file, header);
-  for_each_block(mapper, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
+  for_each_block(mapper, chunks, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
     const std::vector<std::span<const float>> spans(planes.begin(), planes.end());
     writer.write_rows(rows, spans);
   });

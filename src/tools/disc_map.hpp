@@ -7,12 +7,16 @@
 /// v = √2 (N − 1 − 2 row)/N: across the groove to the right, along it upwards. Pixels whose centre lies
 /// outside the disc hold 0 in all channels; those inside hold 1 in the channel `A`.
 
+#include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vcavity/cavity.hpp>
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
+#include "tools/environment.hpp"
+#include "tools/facet.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/output/exr.hpp"
 #include "tools/output/progress.hpp"
@@ -20,10 +24,26 @@
 namespace vcavity::tools {
 
 /// What a map shows.
-enum class Quantity { reflectance, bounces };
+enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance };
 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
+
+/// How the spectrum of a map becomes a colour.
+struct Viewing {
+  std::string light = "D65";  ///< see load_light()
+  Observer observer = Observer::cie_1931_2deg;
+  RgbSpace rgb = RgbSpace::srgb;
+};
+
+/// How the numbers of a map are stored.
+struct Storage {
+  ExrNumber number = ExrNumber::float32;
+  ExrCompression compression = ExrCompression::piz;
+};
+
+/// The numbers a map is computed with.
+enum class Precision { double_precision, single_precision };
 
 /// A map to be computed.
 struct MapRequest {
@@ -34,45 +54,77 @@ struct MapRequest {
   int most_bounces;
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
+  Polarization polarization = Polarization::none;
+  Precision precision = Precision::double_precision;
+  std::shared_ptr<const Environment> environment = nullptr;  ///< needs one wavelength, or one per R, G and B
+  Viewing viewing = {};
 };
+
+/// The direction that a pixel shows; nothing outside the disc.
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
-/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear sRGB of the spectrum in
-/// D65, CIE 1931 2°, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
+/// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear RGB of the
+/// spectrum, negative components kept; absent if nothing is visible), `A` and one `T.…nm` per
 /// wavelength for a grid; `Y` (mean over the opening), `bounces.least`, `bounces.most` and `A` for bounces.
+/// With an environment: its radiance reflected towards each direction, in `R`, `G`, `B` and `A`.
+/// The degree of polarisation (as seen under unpolarised diffuse light) and the absorptance are stored like
+/// the reflectance, but have no colour.
 class DiscMapper {
  public:
-  /// Throws UsageError for a wavelength without data.
+  /// Throws UsageError for a wavelength without data, or for the degree of polarisation in a model without
+  /// polarisation.
   explicit DiscMapper(MapRequest request);
 
   const MapRequest& request() const { return request_; }
   const std::vector<std::string>& channels() const { return channels_; }
 
+  /// Whether there are channels R, G, B.
+  bool coloured() const { return weights_ || request_.environment; }
+
   /// What the image says about itself.
   ExrAttributes attributes() const;
+
+  /// The radiance of the environment that the groove reflects towards a viewer. Only with an environment.
+  glm::dvec3 reflected_radiance(const Vec3<double>& e) const;
+
+  /// The colour seen from a direction in diffuse light, and the white beside it. Only where there is a
+  /// channel `R`.
+  Xyz colour(const Vec3<double>& e) const;
+  const Xyz& white() const { return weights_->white(); }
 
   /// Computes `rows` rows from `first_row` on, on all cores.
   /// \return one plane of rows × size values for each channel
   std::vector<std::vector<float>> rows(int first_row, int rows) const;
 
  private:
+  template <class Real, class Facet>
+  value_t<Facet, Real> quantity_of(const Cavity<Real>& cavity, const Facet& facet,
+                                   const Vec3<double>& e) const;
+  template <class Real>
+  void fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e, std::vector<double>& spectrum) const;
+  const std::vector<double>& spectrum(const Vec3<double>& e) const;
   void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
 
   MapRequest request_;
   Cavity<double> cavity_;
+  Cavity<float> cavity_in_single_;
   std::vector<RefractiveIndex> indices_;
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;
 };
 
-/// Number of rows that are computed and written together.
-inline constexpr int map_block_rows = 64;
+/// Rows that OpenEXR compresses together at most.
+inline constexpr int chunk_rows = 32;
 
 /// Computes a whole map in memory, advancing `progress` by the number of its rows.
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
 
 /// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
-void write_map(AtomicFile& file, const DiscMapper& mapper, Progress& progress);
+/// \param chunks   how many times chunk_rows are computed and held at a time; see set_exr_threads() for how
+///                 many of them are compressed at a time
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress);
 
 }  // namespace vcavity::tools

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/commands/commands.hpp"
 #include "tools/error.hpp"
+#include "tools/materials/nearest_name.hpp"
 #include "tools/provenance.hpp"
 
 namespace {
@@ -29,9 +32,26 @@ void require_known_command(const CLI::App& program, const std::string& word) {
   std::string names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (command->get_name() == word) return;
+    if (command->get_group().empty()) continue;  // hidden
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   throw vcavity::tools::UsageError("unknown command '" + word + "', expected one of " + names);
+}
+
+/// What to say about a misspelt option; CLI11 would first ask for the required ones that are missing.
+std::optional<std::string> about_unknown_option(const CLI::App& program) {
+  std::vector<const CLI::App*> commands{&program};
+  for (const CLI::App* command : program.get_subcommands()) commands.push_back(command);
+  for (const CLI::App* command : commands)
+    for (const std::string& word : command->remaining()) {
+      if (!word.starts_with("--")) continue;
+      std::vector<std::string> names;
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back(name);
+      const auto nearest = vcavity::tools::nearest_name(word.substr(2), names);
+      return "unknown option '" + word + "'" + (nearest ? "; did you mean '--" + *nearest + "'?" : "");
+    }
+  return std::nullopt;
 }
 
 int run(int argc, char** argv) {
@@ -48,7 +68,9 @@ int run(int argc, char** argv) {
   add_map_command(program);
   add_table_command(program);
   add_direction_command(program);
+  add_cost_command(program);
   add_materials_command(program);
+  add_generate_command(program);
 
   if (argc == 1) {
     std::cerr << program.help();
@@ -60,7 +82,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& answer) {  // help or version
     return program.exit(answer);
   } catch (const CLI::ParseError& error) {
-    return complain(error.what(), usage);
+    return complain(about_unknown_option(program).value_or(error.what()), usage);
   }
   return success;
 }

@@ -21,6 +21,8 @@ std::string read_text(const std::filesystem::path& file) {
   if (!stream) throw fail(std::generic_category().message(errno));
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) throw fail(std::generic_category().message(errno));
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }
 
@@ -37,6 +39,14 @@ std::vector<std::string_view> split_words(std::string_view line) {
     begin = line.find_first_not_of(separators, end);
   }
   return words;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower) {
+    if ('A' <= letter && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return lower;
 }
 
 std::optional<double> parse_number(std::string_view word) {

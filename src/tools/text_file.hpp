@@ -13,7 +13,8 @@
 
 namespace vcavity::tools {
 
-/// The content of a file. Throws std::runtime_error "FILE: cannot read: reason".
+/// The content of a file, without the byte order mark that some programs put first. Throws std::runtime_error
+/// "FILE: cannot read: reason".
 std::string read_text(const std::filesystem::path& file);
 
 /// The error "FILE:LINE: reason" for the content of a file, to be thrown. Lines are counted from 1.
@@ -21,6 +22,9 @@ std::runtime_error malformed(const std::filesystem::path& file, int line, std::s
 
 /// The words of a line; they are separated by white space, commas or both.
 std::vector<std::string_view> split_words(std::string_view line);
+
+/// The text in lower-case letters (ASCII; others are kept).
+std::string lower_case(std::string_view text);
 
 /// A finite decimal number such as 1.5, +2 or 1e-3 that makes up the whole word; nothing otherwise.
 std::optional<double> parse_number(std::string_view word);

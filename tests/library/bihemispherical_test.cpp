@@ -3,6 +3,7 @@
 #include <fstream>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"
@@ -27,6 +28,15 @@ Integral<double> reflectance_of(const nlohmann::json& row, double tolerance, int
   return bihemispherical_reflectance(cavity, Conductor<double>(n, k), tolerance, most_bounces);
 }
 
+/// The same with the fields followed.
+double polarized_reflectance_of(const nlohmann::json& row, double tolerance) {
+  const Cavity<double> cavity(radians(row["aperture_deg"].get<double>()));
+  const double n = row["n"];
+  const double k = row["k"];
+  if (k == 0) return bihemispherical_reflectance(cavity, polarized(Dielectric<double>(n)), tolerance).value;
+  return bihemispherical_reflectance(cavity, polarized(Conductor<double>(n, k)), tolerance).value;
+}
+
 void check_row(const nlohmann::json& row) {
   CAPTURE(row.dump());
   const Integral<double> all = reflectance_of(row, 1e-13);
@@ -34,6 +44,8 @@ void check_row(const nlohmann::json& row) {
   CHECK(all.error <= 1e-13 + 4e-15);
   CHECK(std::abs(reflectance_of(row, 1e-13, 1).value - row["cap1"].get<double>()) < 1e-12);
   CHECK(std::abs(reflectance_of(row, 1e-13, 2).value - row["cap2"].get<double>()) < 1e-12);
+  if (row.contains("polarized") && row["polarized"].is_number())
+    CHECK(std::abs(polarized_reflectance_of(row, 1e-13) - row["polarized"].get<double>()) < 1e-12);
 }
 
 /// The reference rows come from a quadrature of fixed order, which falls short where the reflectance is
@@ -123,6 +135,18 @@ TEST_CASE("the error estimate holds, and a looser tolerance costs less") {
         evaluations = result.evaluations;
       }
     }
+}
+
+TEST_CASE("the tolerance is kept over random grooves and materials") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 60; ++i) {
+    const Cavity<double> cavity(radians(20 + 160 * unit(random)));
+    const Conductor<double> metal(std::exp(-3 + 5 * unit(random)), std::exp(-1 + 5 * unit(random)));
+    const double exact = bihemispherical_reflectance(cavity, metal, 1e-12).value;
+    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
+      CHECK(std::abs(bihemispherical_reflectance(cavity, metal, tolerance).value - exact) < tolerance);
+  }
 }
 
 TEST_CASE("colours are integrated together") {

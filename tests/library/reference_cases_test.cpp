@@ -57,6 +57,10 @@ TEST_CASE("single rays agree with real-space tracing") {
     const double reflectance =
         std::visit([&](const auto& facet) { return ray_reflectance(cavity, e, path, facet); }, facet_of(row));
     CHECK(reflectance == Approx(row["scalar"].get<double>()).epsilon(1e-9));
+    const double with_fields = std::visit(
+        [&](const auto& facet) { return unpolarized(ray_reflectance(cavity, e, path, polarized(facet))); },
+        facet_of(row));
+    CHECK(with_fields == Approx(row["polarized"].get<double>()).epsilon(1e-9));
   }
 }
 
@@ -69,6 +73,8 @@ TEST_CASE("directional reflectance and lobes agree with real-space tracing") {
     const Facet facet = facet_of(row);
     CHECK(std::visit([&](const auto& f) { return directional_reflectance(cavity, e, f); }, facet) ==
           Approx(row["scalar"].get<double>()).epsilon(1e-9));
+    CHECK(std::visit([&](const auto& f) { return unpolarized(directional_reflectance(cavity, e, polarized(f))); },
+                     facet) == Approx(row["polarized"].get<double>()).epsilon(1e-9));
 
     const auto found = std::visit([&](const auto& f) { return lobes(cavity, e, f); }, facet);
     REQUIRE(found.size() == row["lobes"].size());
@@ -80,6 +86,13 @@ TEST_CASE("directional reflectance and lobes agree with real-space tracing") {
       REQUIRE(lobe != found.end());
       CHECK(lobe->weight == Approx(expected["weight"].get<double>()).epsilon(1e-9));
       CHECK(lobe->throughput == Approx(expected["scalar"].get<double>()).epsilon(1e-9));
+      const double with_fields = std::visit(
+          [&](const auto& f) {
+            const auto index = static_cast<std::size_t>(lobe - found.begin());
+            return unpolarized(power(lobes(cavity, e, polarized(f))[index].throughput));
+          },
+          facet);
+      CHECK(with_fields == Approx(expected["polarized"].get<double>()).epsilon(1e-9));
       check_direction(lobe->direction, expected["out"]);
     }
   }

@@ -134,3 +134,23 @@ TEST_CASE("series of unequal lengths and impossible ranges are refused") {
   plot.x.scale = Axis::Scale::logarithmic;
   CHECK_THROWS_AS(write_plot(file, plot), std::invalid_argument);
 }
+
+TEST_CASE("plots below each other share the page and their frames are aligned") {
+  Plot upper, lower;
+  upper.height = lower.height = 300;
+  upper.series = {points({1, 2, 5}, {1, 1, 1})};
+  lower.series = {points({1, 2, 5}, {123456, 234567, 345678})};  // wider numbers at the axis
+  const ScratchFolder folder;
+  AtomicFile file(folder / "a.png");
+  write_plots(file, {upper, lower});
+  file.commit();
+  const Page page(folder / "a.png");
+  CHECK(page.height == 600);
+  CHECK(columns_with(page, first_colour).size() == 3);  // the markers of both stand below each other
+}
+
+TEST_CASE("a page without plots is refused") {
+  const ScratchFolder folder;
+  AtomicFile file(folder / "a.png");
+  CHECK(error_of([&] { write_plots(file, {}); }) == "a page needs at least one plot");
+}

@@ -22,6 +22,8 @@ TEST_CASE("white is L* 100, middle grey of 18 % is L* 49.5, black is L* 0") {
 
 TEST_CASE("lightness is linear near black, without a step at the knee") {
   CHECK(to_lab({0, 0.004, 0}, {1, 1, 1}).lightness == Catch::Approx(0.004 * 24389 / 27).epsilon(1e-12));
+  CHECK(to_lab({0, 0.015, 0}, {1, 1, 1}).lightness ==
+        Catch::Approx(116 * std::cbrt(0.015) - 16).epsilon(1e-12));
   const double knee = 216.0 / 24389;
   CHECK(to_lab({0, knee, 0}, {1, 1, 1}).lightness == Catch::Approx(8).epsilon(1e-12));
   CHECK(to_lab({0, std::nextafter(knee, 1.0), 0}, {1, 1, 1}).lightness == Catch::Approx(8).epsilon(1e-12));
@@ -68,6 +70,7 @@ TEST_CASE("the transfer function of sRGB has its published values") {
   CHECK(encode_srgb(0) == 0);
   CHECK(encode_srgb(1) == Catch::Approx(1).epsilon(1e-15));
   CHECK(encode_srgb(0.002) == Catch::Approx(0.02584).epsilon(1e-12));
+  CHECK(encode_srgb(0.01) == Catch::Approx(1.055 * std::pow(0.01, 1 / 2.4) - 0.055).epsilon(1e-12));
   CHECK(encode_srgb(0.18) == Catch::Approx(1.055 * std::pow(0.18, 1 / 2.4) - 0.055).epsilon(1e-12));
   CHECK(std::lround(255 * encode_srgb(0.2158605)) == 128);
   CHECK(encode_srgb(-1) == 0);

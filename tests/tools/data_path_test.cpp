@@ -36,6 +36,11 @@ TEST_CASE("VCAVITY_DATA names another folder") {
   CHECK(data_directory() == folder.path());
   CHECK(load_material("glass").at(500).n == 1.52);
   CHECK_THROWS_AS(load_material("Cu"), UsageError);
+
+  folder.write("nk/GLASS.yml",
+               "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 0.7\n    coefficients: 1.9\n");
+  CHECK(load_material("GLASS").at(500).n == 1.9);
+  CHECK(load_material("glass").at(500).n == 1.52);
 }
 
 TEST_CASE("VCAVITY_DATA must be a folder") {

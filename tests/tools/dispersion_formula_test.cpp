@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "support/catch.hpp"
+#include "tools/failure.hpp"
 #include "tools/materials/catalogue.hpp"
 #include "tools/temporary_file.hpp"
 
@@ -67,13 +69,43 @@ TEST_CASE("formula 9 has a pole and a dispersive line") {
   CHECK(index("9", "1 2 3 0.4 1 0.6", 2) == near(std::sqrt(3.25)));
 }
 
+TEST_CASE("a term of strength 0 does not count, not even at its own resonance") {
+  CHECK(index("1", "0 0 2 3 1", 2) == near(std::sqrt(5)));
+  CHECK(index("2", "0 0 4 3 1", 2) == near(std::sqrt(5)));
+  CHECK(index("6", "0.5 0 0.25", 2) == 1.5);
+  CHECK(index("8", "0.4 0 4", 2) == near(std::sqrt(3)));
+  CHECK(index("9", "4 0 4", 2) == 2);
+  CHECK(index("9", "4 0 0 0 2 0", 2) == 2);
+}
+
 TEST_CASE("coefficients at the end of a formula may be absent") {
   CHECK(index("1", "3", 2) == 2);
-  CHECK(index("1", "0 3", 2) == 2);  // a resonance at wavelength 0
+  CHECK(index("4", "4 0 2", 2) == 2);
   CHECK(index("6", "0.5", 2) == 1.5);
   CHECK(index("7", "1.5", 2) == 1.5);
   CHECK(index("8", "0.4", 2) == near(std::sqrt(3)));
   CHECK(index("9", "4", 2) == 2);
+}
+
+TEST_CASE("a list of coefficients that ends inside a term is refused") {
+  const auto refusal = [](const std::string& formula, const std::string& coefficients) {
+    const std::string text = failure<std::runtime_error>([&] { index(formula, coefficients, 2); });
+    const auto reason = text.find(":3: ");
+    return reason == text.npos ? text : text.substr(reason + 4);
+  };
+  const std::string cut = "the list of coefficients ends in the middle of the term that begins with C";
+  CHECK(refusal("1", "0 3") == cut + "2");
+  CHECK(refusal("2", "3.6453 2.2057 0.1879 1.8377") ==
+        cut + "4");  // AgGaSe2, Boyd-o, in the database of 2026-05-24
+  CHECK(refusal("3", "2 1") == cut + "2");
+  CHECK(refusal("4", "1 3 2 0.5") == cut + "2");
+  CHECK(refusal("4", "1 3 2 0.5 2 2 0") == cut + "6");
+  CHECK(refusal("4", "1 3 2 0.5 2 2 0 3 1 7") == cut + "10");
+  CHECK(refusal("5", "1.5 0.02 -2 0.16") == cut + "4");
+  CHECK(refusal("6", "0.1 2") == cut + "2");
+  CHECK(refusal("8", "0.1 0.2") == cut + "2");
+  CHECK(refusal("9", "1 2") == cut + "2");
+  CHECK(refusal("9", "1 2 3 0.4 1") == cut + "4");
 }
 
 }  // namespace

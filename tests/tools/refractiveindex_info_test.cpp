@@ -45,6 +45,7 @@ TEST_CASE("nothing is extrapolated") {
   CHECK(stuff.at(436.8).n == 1);
   CHECK(failure<UsageError>([&] { stuff.at(436.79); }) ==
         "wavelength 436.79 nm is outside the data of stuff, 436.8 to 600 nm");
+  CHECK_THROWS_AS(stuff.at(436.8 * (1 - 1e-12)), UsageError);
   CHECK(failure<UsageError>([&] { stuff.at(600.01); }) ==
         "wavelength 600.01 nm is outside the data of stuff, 436.8 to 600 nm");
   CHECK(failure<UsageError>([&] { stuff.at(std::nan("")); }) ==
@@ -140,6 +141,8 @@ TEST_CASE("a malformed number is reported with its line") {
   const File file(
       "# comment\nDATA:\n  - type: tabulated nk\n    data: |\n        0.4 1 3\n\n        0.6 2 1.80-17\n");
   CHECK(file.failure_to_read() == file.path + ":7: '1.80-17' is not a finite number");
+  const File signs("DATA:\n  - type: tabulated n\n    data: |\n        0.4 +-1\n");
+  CHECK(signs.failure_to_read() == signs.path + ":4: '+-1' is not a finite number");
   const File infinite("DATA:\n  - type: tabulated n\n    data: |\n        0.4 inf\n");
   CHECK(infinite.failure_to_read() == infinite.path + ":4: 'inf' is not a finite number");
   const File formula(

@@ -41,6 +41,12 @@ LinearRgb to_linear_srgb(const Xyz& colour) {
   return srgb * colour;
 }
 
+Xyz from_linear_srgb(const LinearRgb& colour) {
+  return {0.4124 * colour.r + 0.3576 * colour.g + 0.1805 * colour.b,
+          0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b,
+          0.0193 * colour.r + 0.1192 * colour.g + 0.9505 * colour.b};
+}
+
 LinearRgb to_linear_rec2020(const Xyz& colour) {
   // Derived from the chromaticities (0.708, 0.292), (0.170, 0.797), (0.131, 0.046) and white (0.3127,
   // 0.3290).
@@ -48,6 +54,10 @@ LinearRgb to_linear_rec2020(const Xyz& colour) {
                               {-0.6666843518, 1.6164812366, 0.0157685458},
                               {0.0176398574, -0.0427706133, 0.9421031212}};
   return rec2020 * colour;
+}
+
+LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space) {
+  return space == RgbSpace::rec2020 ? to_linear_rec2020(colour) : to_linear_srgb(colour);
 }
 
 LinearRgb clip_negative(const LinearRgb& colour) {

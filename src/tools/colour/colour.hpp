@@ -34,11 +34,20 @@ Lab to_lab(const Xyz& colour, const Xyz& white);
 
 /// Linear RGB with the primaries and the D65 white of sRGB (IEC 61966-2-1:1999, matrix of eq. 7). Components
 /// below 0 or above 1 mean that a display cannot show the colour. Colours under a light other than D65 keep
-/// the tint of that light: they are not adapted.
+/// the tint of that light: they are not adapted. Meant for XYZ of the 2 degree observer.
 LinearRgb to_linear_srgb(const Xyz& colour);
+
+/// The colour that linear sRGB components stand for (the same source, eq. 2).
+Xyz from_linear_srgb(const LinearRgb& colour);
 
 /// Linear RGB with the primaries and the D65 white of ITU-R BT.2020.
 LinearRgb to_linear_rec2020(const Xyz& colour);
+
+/// The RGB spaces that colours are given in.
+enum class RgbSpace { srgb, rec2020 };
+
+/// Linear RGB in a space.
+LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space);
 
 /// The colour with its negative components replaced by 0: colours outside the gamut move onto its hull, those
 /// inside stay. Values above 1 are kept, they are for the display or the file format to limit.

@@ -44,10 +44,9 @@ double delta_e_2000(const Lab& first, const Lab& second) {
   const double h_2 = hue(a_2, second.b);
 
   // Eq. 8-11. The turn from one hue to the other comes from the vector product, not from the difference of
-  // the angles: only so are opposite colours half a turn apart in spite of rounding. Greys have no hue.
-  const bool grey = c_1 * c_2 == 0;
-  double turn =
-      grey ? 0 : degrees(std::atan2(a_1 * second.b - a_2 * first.b, a_1 * a_2 + first.b * second.b));
+  // the angles: only so are opposite colours half a turn apart in spite of rounding. The hue of a grey does
+  // not matter, delta_h is 0.
+  double turn = degrees(std::atan2(a_1 * second.b - a_2 * first.b, a_1 * a_2 + first.b * second.b));
   if (std::abs(turn) == 180) turn = std::copysign(180, h_2 - h_1);
   const double delta_l = second.lightness - first.lightness;
   const double delta_c = c_2 - c_1;
@@ -56,7 +55,7 @@ double delta_e_2000(const Lab& first, const Lab& second) {
   // Eq. 12-14.
   const double mean_l = (first.lightness + second.lightness) / 2;
   const double mean_c = (c_1 + c_2) / 2;
-  const double mean_h = grey ? h_1 + h_2 : std::fmod(h_1 + turn / 2 + 360, 360);
+  const double mean_h = std::fmod(h_1 + turn / 2 + 360, 360);
 
   // Eq. 15-21: weights, and the rotation term that couples chroma and hue in the blue.
   const double t = 1 - 0.17 * std::cos(radians(mean_h - 30)) + 0.24 * std::cos(radians(2 * mean_h)) +

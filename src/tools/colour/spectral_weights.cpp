@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "tools/data_path.hpp"
@@ -20,38 +21,33 @@ std::string file_name(Observer observer) {
   return observer == Observer::cie_1931_2deg ? "cie_1931_2deg.csv" : "cie_1964_10deg.csv";
 }
 
-std::string file_name(Illuminant illuminant) {
-  switch (illuminant) {
-    case Illuminant::a:
-      return "illuminant_a.csv";
-    case Illuminant::d65:
-      return "illuminant_d65.csv";
-    case Illuminant::e:
-      break;
-  }
-  return "illuminant_e.csv";
-}
+/// Three functions of the wavelength in nm.
+using MatchingFunctions = std::array<LinearTable, 3>;
 
-/// The columns beside the wavelength of a table in data/cie, each as a function of the wavelength in nm.
-template <std::size_t Columns>
-std::array<LinearTable, Columns> read_columns(const std::string& name) {
-  const std::filesystem::path file = data_directory() / "cie" / name;
-  const auto rows = parse_rows(read_text(file), 1 + Columns, file);
+MatchingFunctions read_matching_functions(Observer observer) {
+  const std::filesystem::path file = data_directory() / "cie" / file_name(observer);
+  const auto rows = parse_rows(read_text(file), 4, file);
   if (rows.empty()) throw malformed(file, 1, "the table is empty");
   const auto column = [&rows](std::size_t index) {
     std::vector<LinearTable::Sample> samples;
-    for (const NumberRow& row : rows) samples.push_back({row.values[0], row.values[index + 1]});
+    for (const NumberRow& row : rows) samples.push_back({row.values[0], row.values[index]});
     return LinearTable(std::move(samples));
   };
-  return [&column]<std::size_t... Index>(std::index_sequence<Index...>) {
-    return std::array{column(Index)...};
-  }
-  (std::make_index_sequence<Columns>());
+  return {column(1), column(2), column(3)};
+}
+
+bool covers(const LinearTable& table, double wavelength_nm) {
+  return table.min_x() <= wavelength_nm && wavelength_nm <= table.max_x();
+}
+
+std::string text_of(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
 }
 
 double at_or_zero(const LinearTable& table, double wavelength_nm) {
-  const bool given = table.min_x() <= wavelength_nm && wavelength_nm <= table.max_x();
-  return given ? table.at(wavelength_nm) : 0;
+  return covers(table, wavelength_nm) ? table.at(wavelength_nm) : 0;
 }
 
 void check_equally_spaced(std::span<const double> wavelengths_nm) {
@@ -63,7 +59,7 @@ void check_equally_spaced(std::span<const double> wavelengths_nm) {
   for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
     const double expected = wavelengths_nm.front() + static_cast<double>(i) * step;
     if (!(step > 0 && std::abs(wavelengths_nm[i] - expected) <= rounding * step)) {
-      throw UsageError("wavelength " + std::to_string(wavelengths_nm[i]) +
+      throw UsageError("wavelength " + text_of(wavelengths_nm[i]) +
                        " nm breaks the grid: a colour needs ascending wavelengths in equal steps");
     }
   }
@@ -72,21 +68,27 @@ void check_equally_spaced(std::span<const double> wavelengths_nm) {
 }  // namespace
 
 SpectralWeights::SpectralWeights(std::span<const double> wavelengths_nm, Illuminant illuminant,
+                                 Observer observer)
+    : SpectralWeights(wavelengths_nm, cie_illuminant(illuminant), observer) {}
+
+SpectralWeights::SpectralWeights(std::span<const double> wavelengths_nm, const Light& light,
                                  Observer observer) {
   check_equally_spaced(wavelengths_nm);
-  const auto [x_bar, y_bar, z_bar] = read_columns<3>(file_name(observer));
-  const auto [power] = read_columns<1>(file_name(illuminant));
+  const auto [x_bar, y_bar, z_bar] = read_matching_functions(observer);
 
   double perfect_y = 0;
   for (const double nm : wavelengths_nm) {
-    const double light = at_or_zero(power, nm);
+    if (covers(y_bar, nm) && !covers(light.power, nm))
+      throw UsageError("light '" + light.name + "' is given from " + text_of(light.power.min_x()) + " to " +
+                       text_of(light.power.max_x()) + " nm, which leaves out " + text_of(nm) + " nm");
+    const double power = at_or_zero(light.power, nm);
     weights_.push_back(
-        {light * at_or_zero(x_bar, nm), light * at_or_zero(y_bar, nm), light * at_or_zero(z_bar, nm)});
+        {power * at_or_zero(x_bar, nm), power * at_or_zero(y_bar, nm), power * at_or_zero(z_bar, nm)});
     perfect_y += weights_.back().y;
   }
   if (!(perfect_y > 0)) {
-    throw UsageError("no wavelength from " + std::to_string(wavelengths_nm.front()) + " to " +
-                     std::to_string(wavelengths_nm.back()) +
+    throw UsageError("no wavelength from " + text_of(wavelengths_nm.front()) + " to " +
+                     text_of(wavelengths_nm.back()) +
                      " nm is visible; colours need some within 360 to 780 nm");
   }
   for (Xyz& weight : weights_) weight = {weight.x / perfect_y, weight.y / perfect_y, weight.z / perfect_y};

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "tools/colour/colour.hpp"
+#include "tools/colour/light.hpp"
 
 namespace vcavity::tools {
 
 /// Whose eye sees the colour.
 enum class Observer { cie_1931_2deg, cie_1964_10deg };
-
-/// The light it is seen in. E has equal power at every wavelength.
-enum class Illuminant { a, d65, e };
 
 /// The contribution of every wavelength of a grid to X, Y and Z, so that the colour of a spectrum is three
 /// sums of products.
@@ -31,6 +29,9 @@ class SpectralWeights {
   /// data/cie cannot be read.
   explicit SpectralWeights(std::span<const double> wavelengths_nm, Illuminant illuminant = Illuminant::d65,
                            Observer observer = Observer::cie_1931_2deg);
+
+  /// The same in any light. Throws UsageError also if the light is not given at a visible wavelength.
+  SpectralWeights(std::span<const double> wavelengths_nm, const Light& light, Observer observer);
 
   /// The weights, in the order of the wavelengths.
   const std::vector<Xyz>& weights() const { return weights_; }

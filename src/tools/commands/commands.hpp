@@ -20,7 +20,13 @@ void add_table_command(CLI::App& program);
 /// `direction`: everything about the light of one direction.
 void add_direction_command(CLI::App& program);
 
+/// `cost`: what accuracy costs in time.
+void add_cost_command(CLI::App& program);
+
 /// `materials`: the collection of refractive indices.
 void add_materials_command(CLI::App& program);
+
+/// `generate`, hidden: a man page, or completion for a shell, from the definitions of all other commands.
+void add_generate_command(CLI::App& program);
 
 }  // namespace vcavity::tools

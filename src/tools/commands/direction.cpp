@@ -3,6 +3,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
+#include <vcavity/polarization.hpp>
 #include <vcavity/reflectance.hpp>
 
 #include "tools/commands/commands.hpp"
@@ -22,42 +24,82 @@ struct DirectionOptions {
   double phi_deg = 0;
   double wavelength_nm = default_wavelength_nm;
   std::optional<double> position;
+  Polarization polarization = Polarization::none;
   Format format = Format::md;
 };
+
+/// What becomes of light: the part of unpolarised light that is reflected and, if it was asked for, the rest.
+struct Reflected {
+  double unpolarized;
+  std::optional<Mueller<double>> mueller;
+};
+
+template <class Power>
+Reflected reflected(const Power& reflectance) {
+  if constexpr (std::is_same_v<Power, Mueller<double>>) {
+    return {unpolarized(reflectance), reflectance};
+  } else {
+    return {unpolarized(reflectance), std::nullopt};
+  }
+}
 
 struct Ray {
   double position;
   RayPath path;
-  double reflectance;
+  Reflected reflectance;
   Vec3<double> direction;
 };
 
 struct Result {
   RefractiveIndex index;
-  double reflectance;
+  Reflected reflectance;
   double absorptance;
-  Lobes<double, double> lobes;
+  Lobes<double, Reflected> lobes;
   std::optional<Ray> ray;
 };
+
+template <class Facet>
+Result follow(const DirectionOptions& options, const RefractiveIndex& index, const Cavity<double>& cavity,
+              const Vec3<double>& e, const Facet& facet) {
+  Result result{index, reflected(directional_reflectance(cavity, e, facet)), 0, {}, std::nullopt};
+  if constexpr (AbsorbingFacet<Facet, double>) {
+    result.absorptance = directional_absorptance(cavity, e, facet);
+  } else {
+    result.absorptance = 1 - result.reflectance.unpolarized;
+  }
+  for (const auto& lobe : lobes(cavity, e, facet))
+    result.lobes.push_back(
+        {lobe.first_panel, lobe.bounces, lobe.weight, reflected(power(lobe.throughput)), lobe.direction});
+  if (options.position) {
+    const RayPath path = ray_path(cavity, e, *options.position);
+    result.ray = Ray{*options.position, path, reflected(ray_reflectance(cavity, e, path, facet)),
+                     ray_exit_direction(cavity, e, path)};
+  }
+  return result;
+}
 
 Result compute(const DirectionOptions& options, const RefractiveIndex& index) {
   const Cavity<double> cavity(radians(options.aperture_deg));
   Vec3<double> e = direction(radians(options.theta_deg), radians(options.phi_deg));
   if (options.theta_deg == 90) e.z = 0;  // cos(π/2) is not 0 in floating point
   return with_facet(index, [&](const auto& facet) {
-    Result result{index, directional_reflectance(cavity, e, facet), directional_absorptance(cavity, e, facet),
-                  lobes(cavity, e, facet), std::nullopt};
-    if (options.position) {
-      const RayPath path = ray_path(cavity, e, *options.position);
-      result.ray = Ray{*options.position, path, ray_reflectance(cavity, e, path, facet),
-                       ray_exit_direction(cavity, e, path)};
-    }
-    return result;
+    return with_polarization(options.polarization, facet,
+                             [&](const auto& model) { return follow(options, index, cavity, e, model); });
   });
 }
 
 nlohmann::ordered_json json_of(const Vec3<double>& v) {
   return {v.x, v.y, v.z};
+}
+
+// The rows of a matrix, if there is one.
+void add_mueller(nlohmann::ordered_json& json, const Reflected& light) {
+  if (!light.mueller) return;
+  json["mueller"] = nlohmann::ordered_json::array();
+  for (std::size_t row = 0; row < 4; ++row) {
+    const auto element = [&](std::size_t column) { return (*light.mueller)(row, column); };
+    json["mueller"].push_back({element(0), element(1), element(2), element(3)});
+  }
 }
 
 void print_json(const DirectionOptions& options, const Material& material, const Result& result) {
@@ -71,21 +113,29 @@ void print_json(const DirectionOptions& options, const Material& material, const
                               {"wavelength_nm", options.wavelength_nm},
                               {"n", result.index.n},
                               {"k", result.index.k},
-                              {"reflectance", result.reflectance},
-                              {"absorptance", result.absorptance},
-                              {"lobes", nlohmann::ordered_json::array()}};
-  for (const auto& lobe : result.lobes)
-    json["lobes"].push_back({{"first_panel", static_cast<int>(lobe.first_panel)},
-                             {"bounces", lobe.bounces},
-                             {"weight", lobe.weight},
-                             {"throughput", lobe.throughput},
-                             {"direction", json_of(lobe.direction)}});
-  if (result.ray)
+                              {"polarization", name_of(options.polarization)},
+                              {"reflectance", result.reflectance.unpolarized},
+                              {"absorptance", result.absorptance}};
+  add_mueller(json, result.reflectance);
+  json["lobes"] = nlohmann::ordered_json::array();
+  for (const auto& lobe : result.lobes) {
+    nlohmann::ordered_json entry{{"first_panel", static_cast<int>(lobe.first_panel)},
+                                 {"bounces", lobe.bounces},
+                                 {"weight", lobe.weight},
+                                 {"throughput", lobe.throughput.unpolarized},
+                                 {"direction", json_of(lobe.direction)}};
+    add_mueller(entry, lobe.throughput);
+    if (lobe.throughput.mueller) entry["degree_of_polarization"] = polarizance(*lobe.throughput.mueller);
+    json["lobes"].push_back(entry);
+  }
+  if (result.ray) {
     json["ray"] = {{"position", result.ray->position},
                    {"first_panel", static_cast<int>(result.ray->path.first_panel)},
                    {"bounces", result.ray->path.bounces},
-                   {"reflectance", result.ray->reflectance},
+                   {"reflectance", result.ray->reflectance.unpolarized},
                    {"direction", json_of(result.ray->direction)}};
+    add_mueller(json["ray"], result.ray->reflectance);
+  }
   std::cout << json.dump(2) << '\n';
 }
 
@@ -95,20 +145,22 @@ void print_table(const DirectionOptions& options, const Material& material, cons
   TextTable table{{"light", "first_panel", "bounces", "weight", "throughput", "x", "y", "z"}, {}};
   for (const auto& lobe : result.lobes)
     table.rows.push_back({"lobe", std::to_string(static_cast<int>(lobe.first_panel)),
-                          std::to_string(lobe.bounces), number(lobe.weight), number(lobe.throughput),
-                          number(lobe.direction.x), number(lobe.direction.y), number(lobe.direction.z)});
+                          std::to_string(lobe.bounces), number(lobe.weight),
+                          number(lobe.throughput.unpolarized), number(lobe.direction.x),
+                          number(lobe.direction.y), number(lobe.direction.z)});
   if (result.ray)
     table.rows.push_back({"ray at " + exact(result.ray->position),
                           std::to_string(static_cast<int>(result.ray->path.first_panel)),
-                          std::to_string(result.ray->path.bounces), "", number(result.ray->reflectance),
-                          number(result.ray->direction.x), number(result.ray->direction.y),
-                          number(result.ray->direction.z)});
+                          std::to_string(result.ray->path.bounces), "",
+                          number(result.ray->reflectance.unpolarized), number(result.ray->direction.x),
+                          number(result.ray->direction.y), number(result.ray->direction.z)});
   const std::string where = "aperture " + exact(options.aperture_deg) + "°, theta " +
-                            exact(options.theta_deg) + "°, phi " + exact(options.phi_deg) + "°";
+                            exact(options.theta_deg) + "°, phi " + exact(options.phi_deg) +
+                            "°, polarization " + name_of(options.polarization);
   if (markdown) {
     std::cout << "Light from one direction: " << in_one_line(material) << ", n = " << exact(result.index.n)
               << ", k = " << exact(result.index.k) << ", " << where << "\n\n"
-              << "Directional reflectance " << number(result.reflectance) << ", absorptance "
+              << "Directional reflectance " << number(result.reflectance.unpolarized) << ", absorptance "
               << number(result.absorptance) << "\n\n"
               << to_markdown(table);
     return;
@@ -116,7 +168,7 @@ void print_table(const DirectionOptions& options, const Material& material, cons
   std::vector<std::string> provenance = provenance_lines(material);
   provenance.push_back(where + ", wavelength " + exact(options.wavelength_nm) +
                        " nm, n = " + exact(result.index.n) + ", k = " + exact(result.index.k));
-  provenance.push_back("reflectance " + number(result.reflectance) + ", absorptance " +
+  provenance.push_back("reflectance " + number(result.reflectance.unpolarized) + ", absorptance " +
                        number(result.absorptance));
   std::cout << to_csv(table, provenance);
 }
@@ -156,6 +208,7 @@ void add_direction_command(CLI::App& program) {
   add_number(*command, "--position", options->position, {-1, 1},
              "also follow the ray through this point of the opening, -1 to 1 across it")
       ->type_name("Y");
+  add_polarization(*command, options->polarization);
   add_format(*command, options->format);
   command->callback([options] { run_direction(*options); });
 }

@@ -1,40 +1,171 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vcavity/lobes.hpp>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/sweep.hpp"
 #include "tools/disc_map.hpp"
 #include "tools/error.hpp"
+#include "tools/map_picture.hpp"
+#include "tools/map_plan.hpp"
 #include "tools/materials/catalogue.hpp"
 
 namespace vcavity::tools {
 namespace {
 
+// An error, or a colour difference.
+constexpr Interval tolerance_range{0, 100, Interval::Ends::open_low};
+
 struct MapOptions {
-  std::string material;
-  double aperture_deg = 0;
+  std::vector<std::string> materials;
+  std::vector<double> apertures_deg;
   int size = 512;
-  std::optional<double> wavelength_nm;
-  std::vector<double> wavelengths_nm;
+  std::vector<double> wavelength_nm;   // each a map of its own
+  std::vector<double> wavelengths_nm;  // all in one map
   Quantity quantity = Quantity::reflectance;
+  Polarization polarization = Polarization::none;
+  EffectsOptions effects;
+  double tolerance = 1e-3;
+  std::string environment;
   int most_bounces = all_bounces;
+  Viewing viewing;
   std::string out;
+  Storage storage;
+  bool skip_existing = false;
+  std::string picture;
+  PictureStyle style;
 };
 
-void run_map(const MapOptions& options) {
-  if (options.quantity == Quantity::bounces && options.most_bounces != all_bounces)
-    throw UsageError("--max-bounces: limits the reflectance, not the count of --quantity bounces");
-  std::vector<double> wavelengths_nm = options.wavelengths_nm;
-  if (wavelengths_nm.empty()) wavelengths_nm.push_back(options.wavelength_nm.value_or(default_wavelength_nm));
+void check(const MapOptions& options) {
+  if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
+      options.most_bounces != all_bounces)
+    throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
+  if (!options.environment.empty() && options.quantity != Quantity::reflectance)
+    throw UsageError("--environment: shows the light it casts, not --quantity");
+  if (options.out.empty() && options.picture.empty() && !options.effects.explain)
+    throw UsageError("--out or --png is required");
+}
 
-  const DiscMapper mapper({load_material(options.material), options.aperture_deg, wavelengths_nm,
-                           options.size, options.most_bounces, options.quantity});
-  AtomicFile file(options.out);
-  Progress progress(static_cast<std::uint64_t>(options.size));
-  write_map(file, mapper, progress);
-  file.commit();
+/// The wavelengths of each map.
+std::vector<std::vector<double>> wavelengths_of_maps(const MapOptions& options) {
+  if (!options.wavelengths_nm.empty()) return {options.wavelengths_nm};
+  std::vector<std::vector<double>> result;
+  for (const double wavelength_nm : options.wavelength_nm) result.push_back({wavelength_nm});
+  if (!result.empty()) return result;
+  if (!options.environment.empty()) return {{610, 550, 465}};  // of R, G and B
+  return {{default_wavelength_nm}};
+}
+
+/// Every material at every aperture and wavelength. All of them can be computed.
+std::vector<MapRequest> combinations(const MapOptions& options) {
+  MapRequest request{Material::from_index({1, 0}, "1"),
+                     180,
+                     {},
+                     options.size,
+                     options.most_bounces,
+                     options.quantity,
+                     Spectrum::written,
+                     options.polarization};
+  request.viewing = options.viewing;
+  if (!options.environment.empty())
+    request.environment = std::make_shared<const Environment>(options.environment);
+  std::vector<MapRequest> requests;
+  for (const std::string& name : options.materials) {
+    request.material = load_material(name);
+    for (const double aperture_deg : options.apertures_deg)
+      for (const std::vector<double>& wavelengths_nm : wavelengths_of_maps(options)) {
+        request.aperture_deg = aperture_deg;
+        request.wavelengths_nm = wavelengths_nm;
+        DiscMapper{request};  // throws what is wrong before the long work
+        requests.push_back(request);
+      }
+  }
+  return requests;
+}
+
+/// Replaces each map by the cheapest one within the tolerance and says why.
+void plan(std::vector<MapRequest>& requests, double tolerance) {
+  for (MapRequest& request : requests) {
+    MapPlan planned = plan_map(std::move(request), tolerance);
+    std::cout << planned.explanation << '\n';
+    request = std::move(planned.request);
+  }
+}
+
+void run_map(const MapOptions& options) {
+  check(options);
+  std::vector<MapRequest> requests = combinations(options);
+  if (options.effects.automatic) plan(requests, options.tolerance);
+  if (options.effects.explain) return;
+  const bool with_picture = !options.picture.empty();
+  if (with_picture && requests.size() > most_discs)
+    throw UsageError("--png: " + std::to_string(requests.size()) + " maps do not fit on a page, at most " +
+                     std::to_string(most_discs) + " do");
+  std::vector<MapFile> maps;
+  if (!options.out.empty()) maps = name_map_files(requests, options.out);
+  if (options.skip_existing)
+    std::erase_if(maps, [](const MapFile& map) { return std::filesystem::exists(map.path); });
+
+  Progress progress(static_cast<std::uint64_t>(options.size) * maps.size() +
+                    static_cast<std::uint64_t>(picture_size) * (with_picture ? requests.size() : 0));
+  std::optional<AtomicFile> picture;
+  if (with_picture) picture.emplace(options.picture);  // tells in time if it cannot be written
+  write_maps(maps, options.storage, progress);
+  if (!picture) return;
+  write_sheet(*picture, map_sheet(requests, options.style, progress));
+  picture->commit();
+}
+
+void add_colour_options(CLI::App& command, Viewing& viewing, CLI::Option* grid) {
+  command
+      .add_option("--illuminant", viewing.light,
+                  "the light for R, G, B: D65, E, A, or a file with a wavelength in nm and a power in every "
+                  "line (default D65)")
+      ->type_name("LIGHT")
+      ->needs(grid);
+  add_choice(command, "--observer", viewing.observer,
+             {{"2", Observer::cie_1931_2deg}, {"10", Observer::cie_1964_10deg}},
+             "whose eye sees R, G, B: the CIE observer of 2 (1931) or 10 (1964) degrees (default 2)")
+      ->type_name("DEG")
+      ->needs(grid);
+  add_choice(command, "--rgb", viewing.rgb, {{"srgb", RgbSpace::srgb}, {"rec2020", RgbSpace::rec2020}},
+             "primaries of R, G, B, which stay linear: srgb or rec2020 (default srgb)")
+      ->type_name("SPACE")
+      ->needs(grid);
+}
+
+void add_storage_options(CLI::App& command, Storage& storage) {
+  add_choice(command, "--precision", storage.number,
+             {{"float", ExrNumber::float32}, {"half", ExrNumber::float16}},
+             "numbers of the EXR: float (32 bits) or half (16 bits; 3 digits) (default float)")
+      ->type_name("TYPE");
+  add_choice(command, "--compression", storage.compression,
+             {{"none", ExrCompression::none},
+              {"rle", ExrCompression::rle},
+              {"zips", ExrCompression::zips},
+              {"zip", ExrCompression::zip},
+              {"piz", ExrCompression::piz}},
+             "of the EXR, all without loss: none, rle, zips, zip or piz (default piz, the fastest)")
+      ->type_name("METHOD");
+}
+
+void add_picture_options(CLI::App& command, std::string& file, PictureStyle& style) {
+  CLI::Option* picture = add_picture(command, "--png", file, "also draw all maps on one page for people");
+  command
+      .add_flag_callback(
+          "--false-color", [&style] { style.tone = PictureStyle::Tone::false_colour; },
+          "on the page: numbers in a perceptually uniform colour map, not what the eye would see")
+      ->needs(picture);
+  command
+      .add_flag_callback(
+          "--contours", [&style] { style.contours = PictureStyle::Contours::shown; },
+          "on the page: lines where the number of bounces changes")
+      ->needs(picture);
 }
 
 }  // namespace
@@ -42,41 +173,63 @@ void run_map(const MapOptions& options) {
 void add_map_command(CLI::App& program) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = program.add_subcommand(
-      "map", "OpenEXR image of a quantity for every direction, on the disc of the equal-area projection");
-  add_material(*command, options->material);
-  add_number(*command, "--aperture", options->aperture_deg, aperture_range_deg,
-             "angle between the panels in degrees, above 0 to 180")
-      ->type_name("DEG")
+      "map", "OpenEXR images of a quantity for every direction, on the disc of the equal-area projection");
+  add_materials(*command, options->materials);
+  add_numbers(*command, "--aperture", options->apertures_deg, aperture_range_deg,
+              "angles between the panels in degrees, above 0 to 180")
+      ->type_name("DEG[,DEG...]")
       ->required();
   add_count(*command, "--size", options->size, 1, largest_map, "pixels along one side (default 512)")
       ->type_name("N");
-  CLI::Option* single = add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
-                                   "one vacuum wavelength in nanometres (default 550); channel Y");
-  single->type_name("NM");
-  command
-      ->add_option_function<std::string>(
-          "--wavelengths",
-          [options](const std::string& words) {
-            options->wavelengths_nm = checked_range(words, "--wavelengths", wavelength_range_nm);
-            if (options->wavelengths_nm.size() < 2)
-              throw UsageError("--wavelengths: '" + words +
-                               "' is a single wavelength, for which there is --wavelength");
-          },
-          "a grid of vacuum wavelengths in nanometres; channels R, G, B and one for each wavelength")
-      ->type_name("LO:HI:STEP")
-      ->excludes(single);
-  command
-      ->add_option_function<std::string>(
-          "--quantity",
-          [options](const std::string& word) {
-            if (word != "reflectance" && word != "bounces")
-              throw UsageError("--quantity: '" + word + "' is not accepted, expected reflectance or bounces");
-            options->quantity = word == "bounces" ? Quantity::bounces : Quantity::reflectance;
-          },
-          "reflectance or bounces (default reflectance)")
+  CLI::Option* single =
+      add_numbers(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
+                  "vacuum wavelengths in nanometres, one map for each, channel Y (default 550)");
+  single->type_name("NM[,NM...]");
+  CLI::Option* grid = command->add_option_function<std::string>(
+      "--wavelengths",
+      [options](const std::string& words) {
+        options->wavelengths_nm = checked_range(words, "--wavelengths", wavelength_range_nm);
+        if (options->wavelengths_nm.size() < 2)
+          throw UsageError("--wavelengths: '" + words +
+                           "' is a single wavelength, for which there is --wavelength");
+      },
+      "a grid of vacuum wavelengths in nanometres in one map; channels R, G, B and one for each wavelength");
+  grid->type_name("LO:HI:STEP")->excludes(single);
+  add_choice(*command, "--quantity", options->quantity,
+             {{"reflectance", Quantity::reflectance},
+              {"bounces", Quantity::bounces},
+              {"dop", Quantity::degree_of_polarization},
+              {"absorptance", Quantity::absorptance}},
+             "reflectance, bounces, dop (degree of polarisation) or absorptance (default reflectance)")
       ->type_name("QUANTITY");
+  add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
-  command->add_option("--out", options->out, "the OpenEXR file to write")->type_name("FILE.exr")->required();
+  add_colour_options(*command, options->viewing, grid);
+  command
+      ->add_option("--out", options->out,
+                   "the OpenEXR file to write; for several maps a folder, where each becomes "
+                   "MATERIAL_APERTUREdeg_WAVELENGTHnm.exr")
+      ->type_name("FILE.exr|DIR");
+  command->add_flag("--skip-existing", options->skip_existing,
+                    "leave out maps whose file exists, to resume an interrupted run");
+  add_storage_options(*command, options->storage);
+  add_picture_options(*command, options->picture, options->style);
+  add_effects(*command, options->effects);
+  add_number(
+      *command, "--tolerance", options->tolerance, tolerance_range,
+      "largest error of --effects auto (default 0.001): absolute in the reflectance, CIEDE2000 for a grid "
+      "of wavelengths")
+      ->type_name("T")
+      ->needs("--effects");
+  command
+      ->add_option(
+          "--environment", options->environment,
+          "show how the groove reflects this latitude-longitude OpenEXR image: zenith at the top, +y "
+          "(across the groove) in the middle, +x to the right of it; unless --wavelength is given, R, "
+          "G and B are taken at 610, 550 and 465 nm")
+      ->type_name("SKY.exr")
+      ->excludes("--wavelengths")
+      ->excludes("--effects");
   command->callback([options] { run_map(*options); });
 }
 

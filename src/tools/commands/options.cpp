@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <vcavity/lobes.hpp>
 
 #include "tools/commands/text_table.hpp"
-#include "tools/error.hpp"
 #include "tools/text_file.hpp"
 
 namespace vcavity::tools {
@@ -32,12 +30,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+}  // namespace
+
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected) {
   return UsageError(std::string(option) + ": '" + std::string(word) + "' is not accepted, expected " +
                     expected);
 }
-
-}  // namespace
 
 double checked_number(std::string_view word, std::string_view option, const Interval& interval) {
   const std::optional<double> value = parse_number(word);
@@ -94,6 +92,16 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, std::optiona
       help);
 }
 
+CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
+                         const Interval& interval, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&values, name, interval](const std::string& words) {
+        values = checked_numbers(words, name, interval);
+      },
+      help + "; a list A,B,C or a range LOW:HIGH:STEP");
+}
+
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help) {
   return command.add_option_function<std::string>(
@@ -108,29 +116,64 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
       help);
 }
 
-void add_format(CLI::App& command, Format& format) {
-  static const std::map<std::string, Format> names{
-      {"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}};
-  command
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help) {
+  return command
       .add_option_function<std::string>(
-          "--format",
-          [&format](const std::string& word) {
-            const auto found = names.find(word);
-            if (found == names.end()) throw unexpected("--format", word, "md, csv or json");
-            format = found->second;
+          name,
+          [&file, name](const std::string& word) {
+            if (!word.ends_with(".png") && !word.ends_with(".svg"))
+              throw unexpected(name, word, "the name of a .png or .svg file");
+            file = word;
           },
-          "md (Markdown), csv or json (default md)")
+          help + "; PNG or SVG")
+      ->type_name("FILE");
+}
+
+void add_format(CLI::App& command, Format& format) {
+  add_choice(command, "--format", format, {{"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}},
+             "md (Markdown), csv or json (default md)")
       ->type_name("FORMAT");
 }
 
+namespace {
+
+const std::string material_help =
+    "a name (see 'vcavity_maps materials'), a file of refractiveindex.info, or an index such as 1.5 or "
+    "0.1249+3.3391i";
+
+}  // namespace
+
 void add_material(CLI::App& command, std::string& specification) {
+  command.add_option("--material", specification, material_help)->type_name("M")->required();
+}
+
+void add_materials(CLI::App& command, std::vector<std::string>& specifications) {
   command
-      .add_option(
-          "--material", specification,
-          "a name (see 'vcavity_maps materials'), a file of refractiveindex.info, or an index such as 1.5 "
-          "or 0.1249+3.3391i")
-      ->type_name("M")
+      .add_option("--material", specifications, material_help + "; several separated by commas, or repeat it")
+      ->type_name("M[,M...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->required();
+}
+
+void add_polarization(CLI::App& command, Polarization& model) {
+  add_choice(
+      command, "--polarization", model,
+      {{"none", Polarization::none}, {"separate", Polarization::separate}, {"full", Polarization::full}},
+      "none: light is unpolarised at every bounce (the paper's model, default); separate: s and p on their "
+      "own; full: exact")
+      ->type_name("MODEL");
+}
+
+void add_effects(CLI::App& command, EffectsOptions& effects) {
+  CLI::Option* choice = add_choice(
+      command, "--effects", effects.automatic, {{"given", false}, {"auto", true}},
+      "given: as the other options say (default); auto: the full physics within --tolerance, and no "
+      "more than that takes");
+  choice->type_name("EFFECTS")->excludes("--polarization")->excludes("--max-bounces");
+  command.add_flag("--explain", effects.explain, "say what --effects auto would choose, and stop")
+      ->needs(choice);
 }
 
 void add_max_bounces(CLI::App& command, int& most_bounces) {

@@ -7,7 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "tools/error.hpp"
+#include "tools/facet.hpp"
 
 namespace vcavity::tools {
 
@@ -48,9 +52,41 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, double& valu
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const Interval& interval, const std::string& help);
 
+/// Adds an option with a list of numbers in an interval, see checked_numbers(), that replaces `values`.
+CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
+                         const Interval& interval, const std::string& help);
+
 /// Adds an option with a whole number in [low, high].
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help);
+
+/// Adds an option with the name of a picture to write; what the help says about it ends in its two formats.
+CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
+                         const std::string& help);
+
+/// The error for a word that an option does not accept.
+UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected);
+
+/// Adds an option that takes one of a few words.
+/// \param choices   the words and what they stand for
+template <class Choice>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& value,
+                        const std::vector<std::pair<std::string, Choice>>& choices, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, choices](const std::string& word) {
+        std::string expected;
+        for (const auto& [known, choice] : choices) {
+          if (word == known) {
+            value = choice;
+            return;
+          }
+          expected += (expected.empty() ? "" : known == choices.back().first ? " or " : ", ") + known;
+        }
+        throw unexpected(name, word, expected);
+      },
+      help);
+}
 
 /// How a command prints its results.
 enum class Format { md, csv, json };
@@ -60,6 +96,21 @@ void add_format(CLI::App& command, Format& format);
 
 /// Adds --material.
 void add_material(CLI::App& command, std::string& specification);
+
+/// Adds --material for one or several.
+void add_materials(CLI::App& command, std::vector<std::string>& specifications);
+
+/// Adds --polarization.
+void add_polarization(CLI::App& command, Polarization& model);
+
+/// Whether the tool decides which effects to compute.
+struct EffectsOptions {
+  bool automatic = false;
+  bool explain = false;
+};
+
+/// Adds --effects and --explain.
+void add_effects(CLI::App& command, EffectsOptions& effects);
 
 /// Adds --max-bounces; unlimited unless given.
 void add_max_bounces(CLI::App& command, int& most_bounces);

@@ -15,6 +15,7 @@
 #include "tools/commands/paper_tables.hpp"
 #include "tools/commands/text_table.hpp"
 #include "tools/disc_map.hpp"
+#include "tools/map_picture.hpp"
 #include "tools/materials/catalogue.hpp"
 #include "tools/output/colour_map.hpp"
 #include "tools/output/sheet.hpp"
@@ -52,29 +53,6 @@ DiscMapper mapper_for(const char* material, int aperture_deg, int size, std::vec
 
 std::string in_degrees(int angle_deg) {
   return std::to_string(angle_deg) + "°";
-}
-
-/// A disc of a sheet from the image of a map.
-template <class PixelColour>
-DiscMap disc_of(const ExrImage& image, const std::string& label, PixelColour&& colour) {
-  DiscMap disc{label, image.width, {}};
-  const std::vector<float>& alpha = image.plane("A");
-  for (std::size_t i = 0; i < alpha.size(); ++i) disc.pixels.push_back(alpha[i] > 0 ? colour(i) : Rgba8{});
-  return disc;
-}
-
-DiscMap scalar_disc(const ExrImage& image, const std::string& label, const ColourBar& bar) {
-  const std::vector<float>& reflectance = image.plane("Y");
-  return disc_of(image, label, [&](std::size_t i) {
-    return map_colour(bar.map, (100 * static_cast<double>(reflectance[i]) - bar.low) / (bar.high - bar.low));
-  });
-}
-
-DiscMap colour_disc(const ExrImage& image, const std::string& label) {
-  const std::vector<float>&r = image.plane("R"), &g = image.plane("G"), &b = image.plane("B");
-  return disc_of(image, label, [&](std::size_t i) {
-    return srgb_pixel(static_cast<double>(r[i]), static_cast<double>(g[i]), static_cast<double>(b[i]));
-  });
 }
 
 /// The CIE lightness L* of every pixel of a grey map, relative to a perfect reflector.

@@ -13,7 +13,9 @@
 #include "tools/data_path.hpp"
 #include "tools/error.hpp"
 #include "tools/materials/nearest_name.hpp"
+#include "tools/materials/nk_csv.hpp"
 #include "tools/materials/refractiveindex_info.hpp"
+#include "tools/materials/spd_pair.hpp"
 #include "tools/text_file.hpp"
 
 namespace vcavity::tools {
@@ -47,9 +49,23 @@ Material read_source(const fs::path& folder, const std::string& name) {
   return read_refractiveindex_info(folder / (name + ".yml"), name);
 }
 
+std::string extension_of(const fs::path& file) {
+  return lower_case(file.extension().string());
+}
+
 bool is_file(const fs::path& specification) {
-  const std::string extension = lower_case(specification.extension().string());
-  return specification.has_parent_path() || extension == ".yml" || extension == ".yaml";
+  const std::string extension = extension_of(specification);
+  return specification.has_parent_path() || extension == ".yml" || extension == ".yaml" ||
+         extension == ".csv" || extension == ".spd";
+}
+
+Material read_file(const fs::path& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".yml" || extension == ".yaml")
+    return read_refractiveindex_info(file, file.stem().string());
+  if (extension == ".csv") return read_nk_csv(file);
+  if (extension == ".spd") return read_spd_pair(file);
+  throw UsageError("'" + file.string() + "' is no material file: expected .yml, .yaml, .csv or .spd");
 }
 
 /// N or N+Ki, as numbers without regard to what is physical; nothing if the text is no number at all.
@@ -87,12 +103,15 @@ std::vector<CatalogueEntry> list_materials() {
 Material load_material(std::string_view specification) {
   const std::string text(specification);
   if (const auto index = parse_index(text)) return Material::from_index(*index, text);
-  if (is_file(text)) return read_refractiveindex_info(text, fs::path(text).stem().string());
+  if (is_file(text)) return read_file(text);
 
   const fs::path folder = data_directory() / "nk";
   std::map<std::string, std::string> sources = read_defaults(folder);
   for (const std::string& name : source_names(folder)) sources.emplace(name, name);
 
+  // First the exact name: Co is cobalt, CO would be carbon monoxide.
+  if (const auto exact = sources.find(text); exact != sources.end())
+    return read_source(folder, exact->second);
   std::vector<std::string> names;
   for (const auto& [name, source] : sources) {
     if (lower_case(name) == lower_case(text)) return read_source(folder, source);

@@ -29,6 +29,22 @@ class Coefficients {
   std::span<const double> values_;
 };
 
+/// How many coefficients make up the term that begins with C_first.
+std::size_t term_width(int formula, std::size_t first) {
+  switch (formula) {
+    case 4:
+      return first < 10 ? 4 : 2;
+    case 7:
+      return 1;
+    case 8:
+      return first == 2 ? 2 : 1;
+    case 9:
+      return first == 2 ? 2 : 3;
+    default:
+      return 2;
+  }
+}
+
 double square(double x) {
   return x * x;
 }
@@ -53,6 +69,14 @@ std::optional<std::size_t> most_coefficients(int formula) {
     default:
       return std::nullopt;
   }
+}
+
+std::optional<std::size_t> incomplete_term(int formula, std::span<const double> coefficients) {
+  const std::size_t count = coefficients.size();
+  std::size_t first = 2;
+  while (first + term_width(formula, first) <= count + 1) first += term_width(formula, first);
+  if (first <= count && coefficients[first - 1] != 0) return first;
+  return std::nullopt;
 }
 
 double index_from_formula(int formula, std::span<const double> coefficients, double wavelength_um) {

@@ -33,7 +33,7 @@ Material::Material(MaterialRecord record) : record_(std::move(record)), range_(r
   const OpticalConstant& k = *record_.k;
   range_ = {std::max(range_.min_um, k.range.min_um), std::min(range_.max_um, k.range.max_um)};
   if (range_.min_um > range_.max_um) {
-    throw malformed(record_.file, k.line,
+    throw malformed(k.file, k.line,
                     "n is given from " + text_of(record_.n.range) + " but k from " + text_of(k.range) +
                         ": no wavelength has both");
   }
@@ -46,7 +46,7 @@ Material Material::from_index(RefractiveIndex index, std::string name) {
   }
   const WavelengthRange everywhere{0, std::numeric_limits<double>::infinity()};
   const auto always = [&everywhere](double value) {
-    return OpticalConstant{[value](double) { return value; }, everywhere};
+    return OpticalConstant{.at = [value](double) { return value; }, .range = everywhere, .file = {}};
   };
   return Material({.name = std::move(name),
                    .file = {},
@@ -76,7 +76,7 @@ RefractiveIndex Material::at(double wavelength_nm) const {
   if (!record_.k) return {n, 0};
   const double k = record_.k->at(wavelength_um);
   if (!(k >= -extinction_noise && std::isfinite(k))) {
-    throw malformed(record_.file, record_.k->line,
+    throw malformed(record_.k->file, record_.k->line,
                     "k is " + text_of(k) + " at " + text_of(wavelength_nm) + " nm; it must not be negative");
   }
   return {n, std::max(k, 0.0)};

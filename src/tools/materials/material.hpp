@@ -26,6 +26,7 @@ struct WavelengthRange {
 struct OpticalConstant {
   std::function<double(double wavelength_um)> at;  ///< its value inside `range`
   WavelengthRange range;
+  std::filesystem::path file;  ///< empty where the index was given as a number
   int line = 0;
 };
 

@@ -6,15 +6,9 @@
 #include <utility>
 #include <vector>
 
-namespace vcavity::tools {
+#include "tools/text_file.hpp"
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) {
-    if ('A' <= letter && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
-}
+namespace vcavity::tools {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // Row i of the classic table holds the distances of a's first i letters to every beginning of b.
@@ -33,7 +27,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {
   const std::string lower = lower_case(word);
-  std::size_t fewest = word.size();
+  std::size_t fewest = word.size() / 2 + 1;
   std::optional<std::string> nearest;
   for (const std::string& candidate : candidates) {
     const std::size_t edits = edit_distance(lower, lower_case(candidate));

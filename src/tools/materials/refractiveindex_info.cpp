@@ -3,15 +3,12 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <cctype>
-#include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "tools/linear_table.hpp"
 #include "tools/materials/dispersion_formula.hpp"
+#include "tools/materials/tabulated.hpp"
 #include "tools/text_file.hpp"
 
 namespace vcavity::tools {
@@ -94,18 +91,8 @@ class DataReader {
     const int first_line = line_of(data) + (data.Tag() == "!" ? 1 : 0);
     const auto rows = parse_rows(data.Scalar(), 1 + columns.size(), file_, first_line);
     if (rows.empty()) throw malformed(file_, line_of(data), "the table is empty");
-    for (const NumberRow& row : rows) {
-      if (row.values[0] <= 0) throw malformed(file_, row.line, "the wavelength is not above 0");
-    }
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      std::vector<LinearTable::Sample> samples;
-      std::transform(rows.begin(), rows.end(), std::back_inserter(samples), [column](const NumberRow& row) {
-        return LinearTable::Sample{row.values[0], row.values[column + 1]};
-      });
-      const LinearTable table(std::move(samples));
-      set(*columns[column], {[table](double wavelength_um) { return table.at(wavelength_um); },
-                             {table.min_x(), table.max_x()},
-                             line_of(entry)});
+      set(*columns[column], tabulated(rows, column + 1, WavelengthUnit::um, file_, line_of(entry)));
     }
   }
 
@@ -118,17 +105,21 @@ class DataReader {
                       "formula " + std::to_string(formula) + " takes 1 to " + std::to_string(most) +
                           " coefficients, found " + std::to_string(coefficients.size()));
     }
+    if (const auto strength = incomplete_term(formula, coefficients)) {
+      throw malformed(file_, line_of(coefficient_text),
+                      "the list of coefficients ends in the middle of the term that begins with C" +
+                          std::to_string(*strength));
+    }
     const YAML::Node range_text = scalar(entry, entry["range"] ? "range" : "wavelength_range");
     const auto range = parse_numbers(range_text.Scalar(), file_, line_of(range_text));
     if (range.size() != 2 || !(0 < range[0] && range[0] <= range[1])) {
       throw malformed(file_, line_of(range_text),
                       "'" + range_text.Scalar() + "' is not a range of two increasing wavelengths above 0");
     }
-    set(n_, {[formula, coefficients](double wavelength_um) {
-               return index_from_formula(formula, coefficients, wavelength_um);
-             },
-             {range[0], range[1]},
-             line_of(entry)});
+    const auto index = [formula, coefficients](double wavelength_um) {
+      return index_from_formula(formula, coefficients, wavelength_um);
+    };
+    set(n_, {.at = index, .range = {range[0], range[1]}, .file = file_, .line = line_of(entry)});
   }
 
   const fs::path& file_;

@@ -52,6 +52,12 @@ Imf::Compression imf_compression(ExrCompression compression) {
   throw std::invalid_argument("unknown ExrCompression");
 }
 
+// Imf's default is Rec. 709. The others: ITU-R BT.2020-2, table 3.
+Imf::Chromaticities chromaticities(ExrPrimaries primaries) {
+  if (primaries == ExrPrimaries::rec709) return {};
+  return {{0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.3290f}};
+}
+
 void insert_attributes(Imf::Header& header, const ExrAttributes& attributes) {
   for (const auto& [name, value] : attributes) {
     if (const auto* text = std::get_if<std::string>(&value)) header.insert(name, Imf::StringAttribute(*text));
@@ -93,7 +99,7 @@ Imf::Header imf_header(const ExrHeader& header) {
   for (const auto& name : header.channels) result.channels().insert(name, Imf::Channel(type));
   const bool rgb = result.channels().findChannel("R") && result.channels().findChannel("G") &&
                    result.channels().findChannel("B");
-  if (rgb) Imf::addChromaticities(result, Imf::Chromaticities());  // the default is Rec. 709 with D65
+  if (rgb) Imf::addChromaticities(result, chromaticities(header.primaries));
   insert_attributes(result, header.attributes);
   return result;
 }

@@ -182,31 +182,34 @@ void draw_axes(const Canvas& canvas, const Plot& plot, const Box& box, const Map
               -std::numbers::pi / 2);
 }
 
-}  // namespace
-
-void write_plot(AtomicFile& file, const Plot& plot) {
+void validate(const Plot& plot) {
   for (const auto& one : plot.series)
     if (one.x.size() != one.y.size())
       throw std::invalid_argument("series '" + one.name + "' has " + std::to_string(one.x.size()) +
                                   " x and " + std::to_string(one.y.size()) + " y");
-  const auto x_range = range_of(plot.x, plot.series, &Series::x);
-  const auto y_range = range_of(plot.y, plot.series, &Series::y);
-  const double text_room = plot.width - 2 * margin;
-  const double footnote_height = paragraph_height(plot.footnote, footnote_style, text_room);
+}
 
+// The frame of a plot on a page of its own.
+Box frame_of(const Plot& plot) {
+  const double text_room = plot.width - 2 * margin;
   Box box;
   box.top = crisp(margin + paragraph_height(plot.title, title_style, text_room));
   box.bottom =
-      crisp(plot.height - margin - 3.4 * tick_size - footnote_height - (plot.x.label.empty() ? 0 : 6));
+      crisp(plot.height - margin - 3.4 * tick_size -
+            paragraph_height(plot.footnote, footnote_style, text_room) - (plot.x.label.empty() ? 0 : 6));
   box.right = crisp(plot.width - margin - legend_width(plot.series));
-  const Mapping y(plot.y, y_range, box.bottom, box.top);
+  const Mapping y(plot.y, range_of(plot.y, plot.series, &Series::y), box.bottom, box.top);
   double numbers = 0;
   for (const auto& tick : y.ticks(room_per_label_y))
     numbers = std::max(numbers, text_width(tick.label, {.size = tick_size}));
   box.left = crisp(margin + numbers + 10 + (plot.y.label.empty() ? 0 : 1.6 * axis_style.size));
-  const Mapping x(plot.x, x_range, box.left, box.right);
+  return box;
+}
 
-  Canvas canvas(file, plot.width, plot.height, plot.scale);
+void draw_plot(const Canvas& canvas, const Plot& plot, const Box& box) {
+  const Mapping x(plot.x, range_of(plot.x, plot.series, &Series::x), box.left, box.right);
+  const Mapping y(plot.y, range_of(plot.y, plot.series, &Series::y), box.bottom, box.top);
+  const double text_room = plot.width - 2 * margin;
   canvas.paragraph(margin, margin - 8, plot.title, title_style, text_room);
   draw_axes(canvas, plot, box, x, y);
   cairo_save(canvas.cairo());
@@ -215,8 +218,36 @@ void write_plot(AtomicFile& file, const Plot& plot) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) draw_series(canvas, plot.series[i], i, x, y);
   cairo_restore(canvas.cairo());
   draw_legend(canvas, plot.series, box.right + margin, box.top);
-  canvas.paragraph(margin, plot.height - margin / 2 - footnote_height, plot.footnote, footnote_style,
-                   text_room);
+  canvas.paragraph(margin,
+                   plot.height - margin / 2 - paragraph_height(plot.footnote, footnote_style, text_room),
+                   plot.footnote, footnote_style, text_room);
+}
+
+}  // namespace
+
+void write_plot(AtomicFile& file, const Plot& plot) {
+  write_plots(file, {plot});
+}
+
+void write_plots(AtomicFile& file, const std::vector<Plot>& plots) {
+  if (plots.empty()) throw std::invalid_argument("a page needs at least one plot");
+  double height = 0;
+  double left = 0;
+  double right = std::numeric_limits<double>::infinity();
+  for (const Plot& plot : plots) {
+    validate(plot);
+    const Box box = frame_of(plot);
+    left = std::max(left, box.left);
+    right = std::min(right, box.right);
+    height += std::ceil(plot.height);
+  }
+
+  Canvas canvas(file, plots.front().width, height, plots.front().scale);
+  for (const Plot& plot : plots) {
+    const Box box = frame_of(plot);
+    draw_plot(canvas, plot, {left, box.top, right, box.bottom});
+    cairo_translate(canvas.cairo(), 0, std::ceil(plot.height));
+  }
   canvas.finish();
 }
 

@@ -45,4 +45,8 @@ struct Plot {
 /// show, or another extension.
 void write_plot(AtomicFile& file, const Plot& plot);
 
+/// Draws plots below each other, their frames aligned, on a page of the width and scale of the first one.
+/// Otherwise as write_plot(). Throws std::invalid_argument if there is none.
+void write_plots(AtomicFile& file, const std::vector<Plot>& plots);
+
 }  // namespace vcavity::tools

@@ -21,6 +21,7 @@ const TextStyle label_style{.size = 15, .anchor = Anchor::centre};
 const TextStyle tick_style{.size = 12, .colour = dark_grey};
 const TextStyle bar_label_style{.size = 13, .colour = dark_grey, .anchor = Anchor::centre};
 const TextStyle angle_style{.size = 10, .colour = mid_grey, .anchor = Anchor::centre};
+const TextStyle note_style{.size = 11, .anchor = Anchor::centre};
 const TextStyle footnote_style{.size = 11, .colour = mid_grey};
 
 constexpr double margin = 28;
@@ -101,11 +102,13 @@ void stroke_on_any_colour(const Canvas& canvas) {
   cairo_stroke(canvas.cairo());
 }
 
-void text_on_any_colour(const Canvas& canvas, double x, double y, const std::string& text) {
+// Letters that show on any colour, centred or to the right of a point of their baseline.
+void text_on_any_colour(const Canvas& canvas, double x, double y, const std::string& text,
+                        const TextStyle& style) {
   cairo_t* const context = canvas.cairo();
   cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, angle_style.size);
-  cairo_move_to(context, x, y);
+  cairo_set_font_size(context, style.size);
+  cairo_move_to(context, style.anchor == Anchor::centre ? x - text_width(text, style) / 2 : x, y);
   cairo_text_path(context, text.c_str());
   canvas.set_ink({0, 0, 0, 0.45});
   cairo_set_line_width(context, 2.2);
@@ -113,6 +116,26 @@ void text_on_any_colour(const Canvas& canvas, double x, double y, const std::str
   cairo_stroke_preserve(context);
   canvas.set_ink({1, 1, 1});
   cairo_fill(context);
+}
+
+// Bold lines that show on any colour, not to be mistaken for the grid.
+void draw_contours(const Canvas& canvas, const DiscMap& disc, double x, double y, double radius) {
+  cairo_t* const context = canvas.cairo();
+  cairo_new_path(context);
+  for (const DiscLine& line : disc.contours) {
+    cairo_new_sub_path(context);
+    for (const auto& [u, v] : line) cairo_line_to(context, x + radius * u, y - radius * v);
+  }
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  canvas.set_ink({0, 0, 0, 0.55});
+  cairo_set_line_width(context, 3.4);
+  cairo_stroke_preserve(context);
+  canvas.set_ink({1, 1, 1});
+  cairo_set_line_width(context, 1.6);
+  cairo_stroke(context);
+  for (const DiscNote& note : disc.notes)
+    if (text_width(note.text, note_style) <= note.room * radius)
+      text_on_any_colour(canvas, x + radius * note.at.u, y - radius * note.at.v, note.text, note_style);
 }
 
 // Radius of a circle of equal θ on a disc whose rim, θ = 90°, has radius 1.
@@ -136,7 +159,7 @@ void draw_angle_grid(const Canvas& canvas, double x, double y, double radius) {
   }
   for (const int theta : {30, 60}) {
     const double at = radius * disc_radius(theta * degree);
-    text_on_any_colour(canvas, x + 3, y - at + 12, std::to_string(theta) + "°");
+    text_on_any_colour(canvas, x + 3, y - at + 12, std::to_string(theta) + "°", {.size = angle_style.size});
   }
   const double baseline = 0.36 * angle_style.size;  // centres digits on a point
   canvas.text(x + radius + 5, y + baseline, "0°", {.size = angle_style.size, .colour = mid_grey});
@@ -172,6 +195,7 @@ void draw_disc(const Canvas& canvas, const DiscMap& disc, AngleGrid grid, double
   cairo_clip(context);
   canvas.picture(x - radius, y - radius, 2 * radius, 2 * radius, disc.size, disc.size,
                  with_extended_rim(disc));
+  draw_contours(canvas, disc, x, y, radius);
   cairo_restore(context);
   if (grid == AngleGrid::shown) draw_angle_grid(canvas, x, y, radius);
   cairo_new_path(context);

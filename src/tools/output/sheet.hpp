@@ -15,11 +15,28 @@
 
 namespace vcavity::tools {
 
+/// A point of a disc whose rim has radius 1; u to the right, v upwards.
+struct DiscPoint {
+  double u, v;
+};
+
+/// A line across a disc.
+using DiscLine = std::vector<DiscPoint>;
+
+/// A few letters on a disc, centred on a point.
+struct DiscNote {
+  DiscPoint at;
+  std::string text;
+  double room;  ///< drawn only if no wider than this, in radii
+};
+
 /// A hemisphere as a square picture that the disc just fills; pixels outside the disc are transparent.
 struct DiscMap {
   std::string label;
   int size = 0;               ///< pixels along one side
   std::vector<Rgba8> pixels;  ///< size × size, row by row from the top
+  std::vector<DiscLine> contours = {};
+  std::vector<DiscNote> notes = {};
 };
 
 /// What the colours of a sheet mean.

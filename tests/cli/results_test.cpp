@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+#include <vcavity/vcavity.hpp>
+
+#include "cli/program.hpp"
+#include "support/catch.hpp"
+
+using nlohmann::json;
+using namespace vcavity;
+
+namespace {
+
+const Conductor<double> silver(0.1249, 3.3391);
+
+json result_of(const std::string& line) {
+  const Outcome outcome = run(line + " --format json");
+  CAPTURE(line, outcome.err);
+  REQUIRE(outcome.status == 0);
+  REQUIRE(outcome.err.empty());
+  return json::parse(outcome.out);
+}
+
+bool has_keys(const json& object, const std::set<std::string>& expected) {
+  for (const std::string& key : expected)
+    if (!object.contains(key)) return false;
+  return true;
+}
+
+Vec3<double> vector_of(const json& array) {
+  REQUIRE(array.size() == 3);
+  return {array[0], array[1], array[2]};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("JSON of a table has a row for each aperture with every digit of the library") {
+  const json result = result_of("table --material 0.1249+3.3391i --aperture 45,90:180:90 --tolerance 1e-9");
+  CHECK(result["material"] == "0.1249+3.3391i");
+  REQUIRE(result["rows"].size() == 3);
+  const std::vector<double> apertures_deg{45, 90, 180};
+  for (std::size_t i = 0; i < apertures_deg.size(); ++i) {
+    const json& row = result["rows"][i];
+    CHECK(has_keys(row, {"aperture_deg", "wavelength_nm", "n", "k", "max_bounces", "reflectance",
+                         "error_estimate", "fresnel_evaluations"}));
+    const Cavity<double> cavity(radians(apertures_deg[i]));
+    const auto expected = bihemispherical_reflectance(cavity, silver, 1e-9);
+    CHECK(row["aperture_deg"] == apertures_deg[i]);
+    CHECK(row["wavelength_nm"] == 550);
+    CHECK(row["n"] == 0.1249);
+    CHECK(row["k"] == 3.3391);
+    CHECK(row["max_bounces"].is_null());
+    CHECK(row["reflectance"] == expected.value);
+    CHECK(row["error_estimate"] == expected.error);
+    CHECK(row["fresnel_evaluations"] == expected.evaluations);
+  }
+}
+
+TEST_CASE("JSON of a table says when bounces were left out") {
+  const json result = result_of("table --material 0.1249+3.3391i --aperture 45 --max-bounces 1");
+  CHECK(result["rows"][0]["max_bounces"] == 1);
+  // Table 2 of the paper, computed exactly; shared with the tests of the library.
+  CHECK(result["rows"][0]["reflectance"].get<double>() == Catch::Approx(0.146005148243).epsilon(1e-10));
+}
+
+TEST_CASE("a table of several materials and wavelengths has a row for every combination") {
+  const json result =
+      result_of("table --material Ag,1.5 --material Cu --wavelength 500,600 --aperture 60:90:30");
+  CHECK(result["material"] == json{"Ag-Johnson", "1.5", "Cu-Johnson"});
+  std::set<std::tuple<std::string, double, double>> combinations;
+  for (const json& row : result["rows"])
+    combinations.emplace(row["material"], row["wavelength_nm"], row["aperture_deg"]);
+  CHECK(result["rows"].size() == 12);
+  CHECK(combinations.size() == 12);
+  const json single = result_of("table --material Cu --wavelength 600 --aperture 90");
+  CHECK(result["rows"][11]["reflectance"] == single["rows"][0]["reflectance"]);
+}
+
+TEST_CASE("JSON of a direction has every digit of the library") {
+  const json result =
+      result_of("direction --material 0.1249+3.3391i --aperture 45 --theta 30 --phi 20 --position 0.25");
+  CHECK(has_keys(result, {"n", "k", "reflectance", "absorptance", "lobes", "ray"}));
+  const Cavity<double> cavity(radians(45.0));
+  const auto e = vcavity::direction(radians(30.0), radians(20.0));
+  CHECK(result["n"] == 0.1249);
+  CHECK(result["k"] == 3.3391);
+  CHECK(result["reflectance"] == directional_reflectance(cavity, e, silver));
+  CHECK(result["absorptance"] == directional_absorptance(cavity, e, silver));
+
+  const auto expected = lobes(cavity, e, silver);
+  std::size_t i = 0;
+  for (const auto& lobe : expected) {
+    const json& found = result["lobes"].at(i++);
+    CHECK(has_keys(found, {"first_panel", "bounces", "weight", "throughput", "direction"}));
+    CHECK(found["first_panel"] == static_cast<int>(lobe.first_panel));
+    CHECK(found["bounces"] == lobe.bounces);
+    CHECK(found["weight"] == lobe.weight);
+    CHECK(found["throughput"] == lobe.throughput);
+    CHECK(vector_of(found["direction"]) == lobe.direction);
+  }
+  CHECK(result["lobes"].size() == i);
+
+  const RayPath path = ray_path(cavity, e, 0.25);
+  const json& ray = result["ray"];
+  CHECK(has_keys(ray, {"position", "first_panel", "bounces", "reflectance", "direction"}));
+  CHECK(ray["position"] == 0.25);
+  CHECK(ray["first_panel"] == static_cast<int>(path.first_panel));
+  CHECK(ray["bounces"] == path.bounces);
+  CHECK(ray["reflectance"] == ray_reflectance(cavity, e, path, silver));
+  CHECK(vector_of(ray["direction"]) == ray_exit_direction(cavity, e, path));
+}
+
+TEST_CASE("a ray is told only where a position is given") {
+  CHECK_FALSE(result_of("direction --material 1.5 --aperture 60 --theta 10 --phi 0").contains("ray"));
+}
+
+TEST_CASE("light at grazing incidence has a result") {
+  const json result = result_of("direction --material 1.5 --aperture 60 --theta 90 --phi 20");
+  CHECK(result["reflectance"].get<double>() > 0);
+  CHECK(result["lobes"].size() > 0);
+}
+
+TEST_CASE("CSV starts with its provenance and repeats the numbers of JSON") {
+  const std::string line = "table --material 1.5 --aperture 45,60";
+  const json rows = result_of(line)["rows"];
+  const Outcome outcome = run(line + " --format csv");
+  std::vector<std::string> lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 6);
+  CHECK(lines[0].starts_with("# vcavity "));
+  CHECK(lines[1] == "# command: vcavity_maps " + line + " --format csv");
+  CHECK(lines[2] == "# material: index 1.5");
+  CHECK(lines[3] ==
+        "material,aperture_deg,wavelength_nm,n,k,polarization,max_bounces,reflectance,error_estimate,fresnel_"
+        "evaluations");
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<std::string> cells;
+    std::istringstream stream(lines[4 + i]);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    REQUIRE(cells.size() == 10);
+    CHECK(std::stod(cells[7]) == rows[i]["reflectance"].get<double>());
+    CHECK(cells[6] == "all");
+  }
+}
+
+TEST_CASE("Markdown shows no digit that the error estimate does not vouch for") {
+  const Outcome outcome = run("table --material 1.5 --aperture 60 --tolerance 1e-4");
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  REQUIRE(lines.size() == 7);
+  CHECK(lines[2].starts_with("| material | aperture_deg | wavelength_nm |"));
+  std::vector<std::string> cells;
+  std::istringstream stream(lines[4]);
+  for (std::string cell; std::getline(stream, cell, '|');)
+    cells.push_back(words(cell).empty() ? "" : words(cell)[0]);
+  const double error = std::stod(cells.at(9));
+  const auto decimals = static_cast<double>(cells.at(8).size() - 2);  // behind "0."
+  CHECK(std::pow(10, -decimals) >= error);
+}
+
+TEST_CASE("the paper's figures, tables and report are written, and nothing else") {
+  const ScratchFolder folder;
+  const Outcome outcome = run("paper --size 16 --out results", folder.path());
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  std::set<std::string> expected{"report.md",
+                                 "table1.md",
+                                 "table1.csv",
+                                 "table2.md",
+                                 "table2.csv",
+                                 "fig5_glass.png",
+                                 "fig5_copper.png",
+                                 "fig6_silver.png",
+                                 "fig6_silver_45deg_one_bounce.exr",
+                                 "fig6_silver_45deg_all_bounces.exr"};
+  for (const char* map : {"fig5_glass_", "fig5_copper_"})
+    for (const char* aperture : {"45", "60", "90", "120", "150", "180"})
+      expected.insert(std::string(map) + aperture + "deg.exr");
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "results"))
+    found.insert(entry.path().filename());
+  CHECK(found == expected);
+}

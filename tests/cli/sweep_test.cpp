@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "cli/program.hpp"
+#include "support/catch.hpp"
+#include "tools/output/exr.hpp"
+
+using vcavity::tools::read_exr;
+
+namespace {
+
+std::set<std::string> files_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep writes every combination into a file of a predictable name") {
+  const ScratchFolder folder;
+  const Outcome outcome = run(
+      "map --material Ag,1.5 --material Cu --aperture 22.5,60:120:60 --wavelength 500 --size 8 --out maps",
+      folder.path());
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  std::set<std::string> expected;
+  for (const char* material : {"Ag-Johnson", "1.5", "Cu-Johnson"})
+    for (const char* aperture : {"22.5", "60", "120"})
+      expected.insert(std::string(material) + "_" + aperture + "deg_500nm.exr");
+  CHECK(files_in(folder / "maps") == expected);
+}
+
+TEST_CASE("names tell the grid of wavelengths and the quantity") {
+  const ScratchFolder folder;
+  REQUIRE(run("map --material Cu --aperture 60 --size 8 --wavelengths 400:700:100 --out .", folder.path())
+              .status == 0);
+  REQUIRE(run("map --material Cu --aperture 60 --size 8 --quantity bounces --out ./", folder.path()).status ==
+          0);
+  CHECK(files_in(folder.path()) ==
+        std::set<std::string>{"Cu-Johnson_60deg_400-700nm.exr", "Cu-Johnson_60deg_550nm_bounces.exr"});
+}
+
+TEST_CASE("a map of a sweep is the one that is made alone") {
+  const ScratchFolder folder;
+  REQUIRE(run("map --material Cu,Ag --aperture 45,60 --size 48 --out maps", folder.path()).status == 0);
+  REQUIRE(run("map --material Ag --aperture 60 --size 48 --out alone.exr", folder.path()).status == 0);
+  CHECK(read_exr(folder / "maps/Ag-Johnson_60deg_550nm.exr").plane("Y") ==
+        read_exr(folder / "alone.exr").plane("Y"));
+}
+
+TEST_CASE("a resumed sweep leaves files that exist alone") {
+  const ScratchFolder folder;
+  const std::string sweep = "map --material Cu --aperture 45,60,90 --size 8 --out maps";
+  std::filesystem::create_directory(folder / "maps");
+  put(folder / "maps/Cu-Johnson_60deg_550nm.exr", "made earlier");
+  REQUIRE(run(sweep + " --skip-existing", folder.path()).status == 0);
+  CHECK(content(folder / "maps/Cu-Johnson_60deg_550nm.exr") == "made earlier");
+  CHECK(read_exr(folder / "maps/Cu-Johnson_90deg_550nm.exr").width == 8);
+  REQUIRE(run(sweep, folder.path()).status == 0);
+  CHECK(read_exr(folder / "maps/Cu-Johnson_60deg_550nm.exr").width == 8);
+}
+
+TEST_CASE("a sweep that is killed and resumed ends with complete files only") {
+  const ScratchFolder folder, streams;
+  const std::string sweep = "map --material Cu --aperture 5:180:5 --size 256 --out maps --skip-existing";
+  {
+    RunningProgram program(words(sweep), folder.path(), streams / "out", streams / "err");
+    while (!program.ended() &&
+           (!std::filesystem::exists(folder / "maps") || files_in(folder / "maps").size() < 5))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    program.send(SIGKILL);
+    program.status();
+  }
+  REQUIRE(run(sweep, folder.path()).status == 0);
+  int maps = 0;
+  for (const std::string& name : files_in(folder / "maps"))
+    if (name.ends_with(".exr")) {
+      ++maps;
+      CHECK(read_exr(folder / "maps" / name).height == 256);
+    }
+  CHECK(maps == 36);
+}
+
+TEST_CASE("sweeps that cannot be named are refused before anything is written") {
+  const ScratchFolder folder;
+  const auto refusal = [&](const std::string& line) {
+    const Outcome outcome = run("map --size 8 " + line, folder.path());
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  CHECK(refusal("--material Cu --aperture 45,60 --out a.exr") ==
+        "vcavity_maps: --out: 'a.exr' is one file for 2 maps, expected a folder\n");
+  CHECK(refusal("--material Cu,Cu --aperture 45 --out maps") ==
+        "vcavity_maps: two maps would go into 'maps/Cu-Johnson_45deg_550nm.exr'\n");
+  CHECK(refusal("--material Cu --aperture 5:180:5 --png a.png") ==
+        "vcavity_maps: --png: 36 maps do not fit on a page, at most 24 do\n");
+  CHECK(refusal("--material Cu,Ag --aperture 45 --wavelength 100 --out maps") ==
+        "vcavity_maps: wavelength 100 nm is outside the data of Cu-Johnson, 187.9 to 1937 nm\n");
+  CHECK(folder.names().empty());
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/map_plan.hpp"
+
+#include <cmath>
+#include <random>
+#include <vcavity/vcavity.hpp>
+
+#include "support/catch.hpp"
+#include "tools/colour/colour_difference.hpp"
+#include "tools/error.hpp"
+#include "tools/materials/catalogue.hpp"
+
+using namespace vcavity;
+using namespace vcavity::tools;
+
+namespace {
+
+MapRequest request_for(const char* material, double aperture_deg) {
+  std::vector<double> wavelengths_nm;
+  for (int nm = 400; nm <= 700; nm += 5) wavelengths_nm.push_back(nm);
+  return {load_material(material), aperture_deg, wavelengths_nm, 64, all_bounces};
+}
+
+}  // namespace
+
+TEST_CASE("a planned colour map keeps its colour difference in directions it was not planned for") {
+  std::mt19937_64 random(401);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int thinned = 0;
+  for (const char* material : {"Cu", "Au", "Ag", "Ti", "Si"})
+    for (const double aperture_deg : {20.0, 45.0, 75.0, 110.0, 150.0}) {
+      MapRequest full = request_for(material, aperture_deg);
+      full.polarization = Polarization::full;
+      const DiscMapper expected(full);
+      for (const double tolerance : {0.1, 1.0, 5.0}) {
+        const MapPlan plan = plan_map(request_for(material, aperture_deg), tolerance);
+        CAPTURE(material, aperture_deg, tolerance, plan.explanation);
+        CHECK(plan.bound <= tolerance);
+        const DiscMapper planned(plan.request);
+        double worst = 0;
+        for (int i = 0; i < 1000; ++i) {
+          const Vec3<double> e = direction(std::acos(unit(random)), 2 * pi<double>() * unit(random));
+          worst = std::max(worst, delta_e_2000(to_lab(planned.colour(e), expected.white()),
+                                               to_lab(expected.colour(e), expected.white())));
+        }
+        CHECK(worst <= plan.bound + 1e-9);
+        thinned += plan.request.wavelengths_nm.size() < full.wavelengths_nm.size();
+      }
+    }
+  CHECK(thinned > 40);
+}
+
+TEST_CASE("a looser tolerance takes no more wavelengths, and names what it leaves out") {
+  std::size_t wavelengths = 1000;
+  for (const double tolerance : {0.01, 0.1, 1.0, 10.0}) {
+    const MapPlan plan = plan_map(request_for("Cu", 45), tolerance);
+    CHECK(plan.request.wavelengths_nm.size() <= wavelengths);
+    CHECK(plan.explanation.find("polarisation") != std::string::npos);
+    wavelengths = plan.request.wavelengths_nm.size();
+  }
+  CHECK(wavelengths < 61);
+}
+
+TEST_CASE("a plan for one wavelength is that of the library") {
+  MapRequest request = request_for("Ag", 60);
+  request.wavelengths_nm = {550};
+  const MapPlan plan = plan_map(request, 0.1);
+  CHECK(plan.request.polarization == Polarization::none);
+  CHECK(plan.request.precision == Precision::single_precision);
+  CHECK(plan.bound < 0.1);
+}
+
+TEST_CASE("there is no plan for infrared colours") {
+  MapRequest request = request_for("Au", 60);
+  request.wavelengths_nm = {900, 950, 1000};
+  CHECK_THROWS_AS(plan_map(request, 1), UsageError);
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <random>
+#include <vcavity/planner.hpp>
+#include <vcavity/vcavity.hpp>
+
+#include "support/catch.hpp"
+
+using namespace vcavity;
+
+namespace {
+
+struct Scene {
+  double aperture_deg, n, k;
+  Cavity<double> cavity() const { return Cavity<double>(radians(aperture_deg)); }
+  Conductor<double> facet() const { return {n, k}; }
+};
+
+/// Metals, dielectrics, indices close to 1 and below.
+template <class Random>
+Scene random_scene(Random& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double aperture_deg = unit(random) < 0.2 ? 180.0 / std::floor(1 + 9 * unit(random))
+                                                 : std::exp(std::log(12.0) + std::log(15.0) * unit(random));
+  const double kind = unit(random);
+  if (kind < 0.25) return {aperture_deg, 1.2 + 2 * unit(random), 0};
+  if (kind < 0.35) return {aperture_deg, 1 + std::exp(-8 * unit(random)), 0};
+  if (kind < 0.45) return {aperture_deg, 0.4 + 0.6 * unit(random), 0};
+  if (kind < 0.55) return {aperture_deg, 40 * unit(random), 100 * unit(random)};
+  return {aperture_deg, 0.05 + 4 * unit(random), 6 * unit(random)};
+}
+
+template <class Random>
+double random_tolerance(Random& random, double low, double high) {
+  return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
+}
+
+/// Whether the bounds add up to no more than the tolerance, as far as double precision reaches.
+bool keeps(const EffectsPlan& plan, double tolerance) {
+  const double promised = plan.single_precision ? 0 : plan.bounds.rounding;
+  return promised < 1e-4 && plan.bounds.total() - promised <= tolerance * (1 + 1e-12);
+}
+
+double planned_diffuse(const EffectsPlan& plan, const Scene& scene) {
+  return with_effects(plan, scene.cavity(), scene.n, scene.k, [&](const auto& cavity, const auto& facet) {
+    using Real = std::remove_cvref_t<decltype(cavity.aperture())>;
+    return static_cast<double>(bihemispherical_reflectance(cavity, facet,
+                                                           static_cast<Real>(plan.bounds.quadrature),
+                                                           plan.most_bounces)
+                                   .value);
+  });
+}
+
+double planned_directional(const EffectsPlan& plan, const Scene& scene, const Vec3<double>& e) {
+  return with_effects(plan, scene.cavity(), scene.n, scene.k, [&](const auto& cavity, const auto& facet) {
+    using Real = std::remove_cvref_t<decltype(cavity.aperture())>;
+    return static_cast<double>(
+        unpolarized(directional_reflectance(cavity, Vec3<Real>(e), facet, plan.most_bounces)));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a plan for diffuse light keeps its tolerance in thousands of random scenes") {
+  std::mt19937_64 random(211);
+  int unpolarized_plans = 0, cut_plans = 0, float_plans = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Scene scene = random_scene(random);
+    const double tolerance = random_tolerance(random, 1e-5, 1e-1);
+    const EffectsPlan plan = plan_effects(scene.cavity(), scene.facet(), tolerance, Illumination::diffuse);
+    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.most_bounces,
+            plan.single_precision);
+    CHECK(keeps(plan, tolerance));
+    const double full =
+        bihemispherical_reflectance(scene.cavity(), polarized(scene.facet()), tolerance / 30).value;
+    CHECK(std::abs(planned_diffuse(plan, scene) - full) <= plan.bounds.total() + tolerance / 30);
+    unpolarized_plans += !plan.polarization;
+    cut_plans += plan.most_bounces != all_bounces;
+    float_plans += plan.single_precision;
+  }
+  // Each effect is left out often enough for the check to mean something, but not always.
+  for (const int plans : {unpolarized_plans, cut_plans, float_plans}) {
+    CHECK(plans > 200);
+    CHECK(plans < 1900);
+  }
+}
+
+TEST_CASE("a plan for every direction keeps its tolerance in thousands of random scenes") {
+  std::mt19937_64 random(223);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int unpolarized_plans = 0, float_plans = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Scene scene = random_scene(random);
+    const double tolerance = random_tolerance(random, 1e-6, 0.3);
+    const EffectsPlan plan = plan_effects(scene.cavity(), scene.facet(), tolerance, Illumination::collimated);
+    CHECK(keeps(plan, tolerance));
+    double worst = 0;
+    for (int i = 0; i < 80; ++i) {
+      // Half of the directions close to grazing, where reflectances change fastest.
+      const double cos_theta = i % 2 == 0 ? unit(random) : std::exp(-14 * unit(random));
+      const Vec3<double> e = direction(std::acos(cos_theta), 2 * pi<double>() * unit(random));
+      const double full = unpolarized(directional_reflectance(scene.cavity(), e, polarized(scene.facet())));
+      worst = std::max(worst, std::abs(planned_directional(plan, scene, e) - full));
+    }
+    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.most_bounces,
+            plan.single_precision, plan.bounds.rounding);
+    CHECK(worst <= plan.bounds.total());
+    unpolarized_plans += !plan.polarization;
+    float_plans += plan.single_precision;
+  }
+  for (const int plans : {unpolarized_plans, float_plans}) {
+    CHECK(plans > 100);
+    CHECK(plans < 950);
+  }
+}
+
+TEST_CASE("a looser tolerance never asks for more") {
+  std::mt19937_64 random(227);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Scene scene = random_scene(random);
+    for (const Illumination illumination : {Illumination::collimated, Illumination::diffuse}) {
+      EffectsPlan tighter{true, all_bounces, false, {}};
+      for (const double tolerance : {1e-6, 1e-4, 1e-3, 1e-2, 1e-1}) {
+        const EffectsPlan plan = plan_effects(scene.cavity(), scene.facet(), tolerance, illumination);
+        CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance);
+        CHECK(plan.polarization <= tighter.polarization);
+        CHECK(plan.most_bounces <= tighter.most_bounces);
+        CHECK(plan.single_precision >= tighter.single_precision);
+        tighter = plan;
+      }
+    }
+  }
+}
+
+TEST_CASE("silver in diffuse light to one percent needs neither polarisation nor double precision") {
+  const EffectsPlan plan = plan_effects(Cavity<double>(radians(60.0)), Conductor<double>(0.1249, 3.3391),
+                                        1e-2, Illumination::diffuse);
+  CHECK_FALSE(plan.polarization);
+  CHECK(plan.single_precision);
+}
+
+TEST_CASE("glass to a millionth needs all there is") {
+  const EffectsPlan plan =
+      plan_effects(Cavity<double>(radians(60.0)), Dielectric<double>(1.5), 1e-6, Illumination::diffuse);
+  CHECK(plan.polarization);
+  CHECK(plan.most_bounces == all_bounces);
+  CHECK_FALSE(plan.single_precision);
+}
+
+TEST_CASE("a plan without a positive tolerance is refused") {
+  for (const double tolerance : {0.0, -1.0, std::nan("")})
+    CHECK_THROWS_AS(
+        plan_effects(Cavity<double>(1.0), Dielectric<double>(1.5), tolerance, Illumination::diffuse),
+        std::invalid_argument);
+}
+
+TEST_CASE("separate polarisations bound the error of leaving polarisation out, direction by direction") {
+  std::mt19937_64 random(229);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Scene scene = random_scene(random);
+    const Vec3<double> e = direction(std::acos(unit(random)), 2 * pi<double>() * unit(random));
+    const auto by = [&](const auto& facet) {
+      return unpolarized(directional_reflectance(scene.cavity(), e, facet));
+    };
+    const double none = by(scene.facet());
+    CHECK(std::abs(by(polarized(scene.facet())) - none) <=
+          by(separately_polarized(scene.facet())) - none + 1e-14);
+  }
+}
