@@ -16,8 +16,8 @@ namespace vcavity {
 template <class Real>
 class Cavity {
  public:
-  /// @param aperture the angle between the panels in (0, π]; π is a flat surface, and so is what rounding (4 ε)
-  /// has lifted above it
+  /// @param aperture the angle between the panels in (0, π]; π is a flat surface, and so is what rounding (4
+  /// ε) has lifted above it
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
   explicit Cavity(const Real& aperture) : aperture_(at_most(aperture, pi<Real>())) {
     const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
