@@ -135,7 +135,7 @@ class HemisphereQuadrature {
     const bool may_halve = halvings < most_halvings && evaluations_ < most_evaluations;
     const Scalar along_tolerance = tolerance / (Scalar(2) * probe_margin());
     const Convergence along = converge_along(cell, along_tolerance);
-    if (may_halve && along.error > along_tolerance) {
+    if (may_halve && !along.converged) {
       const Real middle = (cell.psi_low + cell.psi_high) / Real(2);
       add(total, {cell.theta_low, cell.theta_high, cell.psi_low, middle}, tolerance / Scalar(2),
           halvings + 1);
@@ -167,6 +167,7 @@ class HemisphereQuadrature {
   struct Convergence {
     std::size_t order;
     Scalar error;
+    bool converged;  // as far as rounding allows
   };
 
   /// The order in ψ from which on the integral along ψ changes by no more than `tolerance`, at a few angles
@@ -188,9 +189,9 @@ class HemisphereQuadrature {
         noise = noise + weight * rounding(value);
         values[i] = value;
       }
-      if (order > orders_along.front() && error <= at_least(tolerance, noise)) return {order, error};
+      if (order > orders_along.front() && error <= at_least(tolerance, noise)) return {order, error, true};
     }
-    return {orders_along.back(), error};
+    return {orders_along.back(), error, false};
   }
 
   /// cos θ' times the integral of R(e) cos²ψ over the range of ψ of the cell.
