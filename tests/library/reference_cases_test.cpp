@@ -73,8 +73,9 @@ TEST_CASE("directional reflectance and lobes agree with real-space tracing") {
     const Facet facet = facet_of(row);
     CHECK(std::visit([&](const auto& f) { return directional_reflectance(cavity, e, f); }, facet) ==
           Approx(row["scalar"].get<double>()).epsilon(1e-9));
-    CHECK(std::visit([&](const auto& f) { return unpolarized(directional_reflectance(cavity, e, polarized(f))); },
-                     facet) == Approx(row["polarized"].get<double>()).epsilon(1e-9));
+    CHECK(std::visit(
+              [&](const auto& f) { return unpolarized(directional_reflectance(cavity, e, polarized(f))); },
+              facet) == Approx(row["polarized"].get<double>()).epsilon(1e-9));
 
     const auto found = std::visit([&](const auto& f) { return lobes(cavity, e, f); }, facet);
     REQUIRE(found.size() == row["lobes"].size());

@@ -139,9 +139,8 @@ TEST_CASE("a grid that is empty, uneven, descending or out of sight is refused")
   CHECK(refusal({600, 500, 400}) == "wavelength 600 " + breaks);
   CHECK(refusal({500, 500}) == "wavelength 500 " + breaks);
   CHECK(refusal({500, std::nan(""), 600}) == "wavelength nan " + breaks);
-  CHECK(
-      refusal({1000, 1100}) ==
-      "no wavelength from 1000 to 1100 nm is visible; colours need some within 360 to 780 nm");
+  CHECK(refusal({1000, 1100}) ==
+        "no wavelength from 1000 to 1100 nm is visible; colours need some within 360 to 780 nm");
 }
 
 }  // namespace
