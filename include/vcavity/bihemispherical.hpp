@@ -150,8 +150,7 @@ class HemisphereQuadrature {
       value = integrate(cell.theta_low, cell.theta_high, order,
                         [&](const Real& theta) { return integrate_along(cell, theta, along.order); });
       difference = distance(value, previous);
-      if (order > orders_across.front() &&
-          difference <= at_least(Scalar(tolerance / Scalar(2)), rounding(value)))
+      if (order > orders_across[1] && difference <= at_least(Scalar(tolerance / Scalar(2)), rounding(value)))
         break;
     }
     if (may_halve && difference > at_least(Scalar(tolerance / Scalar(2)), rounding(value))) {
@@ -189,7 +188,7 @@ class HemisphereQuadrature {
         noise = noise + weight * rounding(value);
         values[i] = value;
       }
-      if (order > orders_along.front() && error <= at_least(tolerance, noise)) return {order, error, true};
+      if (order > orders_along[1] && error <= at_least(tolerance, noise)) return {order, error, true};
     }
     return {orders_along.back(), error, false};
   }

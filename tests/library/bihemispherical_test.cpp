@@ -142,7 +142,10 @@ TEST_CASE("the tolerance is kept over random grooves and materials") {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 60; ++i) {
     const Cavity<double> cavity(radians(20 + 160 * unit(random)));
-    const Conductor<double> metal(std::exp(-3 + 5 * unit(random)), std::exp(-1 + 5 * unit(random)));
+    const double n = std::exp(-3 + 5 * unit(random));
+    const double k = std::exp(-1 + 5 * unit(random));
+    const Conductor<double> metal(n, k);
+    CAPTURE(degrees(cavity.aperture()), n, k);
     const double exact = bihemispherical_reflectance(cavity, metal, 1e-12).value;
     for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
       CHECK(std::abs(bihemispherical_reflectance(cavity, metal, tolerance).value - exact) < tolerance);
