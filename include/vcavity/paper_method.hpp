@@ -6,7 +6,7 @@
 /// midpoint rule over position and direction (Eqs. 7–17, 20 and 26).
 ///
 /// When not to use it: for results. `directional_reflectance` and `bihemispherical_reflectance` give the same
-/// limits without discretisation error and thousands of times faster.
+/// limits without discretisation error and much faster (`vcavity_maps cost`).
 
 #include "bihemispherical.hpp"
 #include "bounces.hpp"

@@ -189,7 +189,7 @@ inline Complex<double> complex_contrast(double contrast) {
 ///
 /// The tolerance is shared equally among polarisation, bounces, rounding and, for diffuse light, quadrature.
 /// So a looser tolerance never asks for more. Where even double precision cannot promise its share, which a
-/// critical angle makes about 1e-7, `bounds` says so.
+/// critical angle makes up to 1e-4, `bounds` says so.
 ///
 /// @param facet facet with amplitudes and a contrast, such as `Conductor` or `Dielectric`
 /// @param tolerance largest absolute error of the reflectance, > 0
