@@ -12,7 +12,7 @@
 #include <concepts>
 
 #include "cavity.hpp"
-#include "turning_vector.hpp"
+#include "fan.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -23,14 +23,30 @@ struct RayPath {
   int bounces;        ///< the number of reflections, at least 1, at most `Cavity::max_bounces()`
 };
 
+/// The panel that faces a direction; panel one for light along the groove.
+template <Number Real>
+Panel facing_panel(const Vec3<Real>& e) {
+  return e.y < Real(0) ? Panel::two : Panel::one;
+}
+
+/// The same for a pack of directions, all with e.y ≥ 0; mirror the others.
+template <class Real>
+Panel facing_panel(const Vec3<Real>& e) {
+  assert(!any_positive(-e.y));
+  return Panel::one;
+}
+
 /// The successive images of the panels as a straight ray meets them (Eqs. 14–16). One rotation by the
 /// aperture leads from each bounce to the next; no trigonometric function is evaluated.
+/// @tparam Real number type of a component, or a `Pack` of them: as many directions at once
 template <class Real>
 class PanelImages {
  public:
+  using Groove = Cavity<scalar_t<Real>>;
+
   /// @param e direction towards the light
   /// @param first the panel met first
-  PanelImages(const Cavity<Real>& cavity, const Vec3<Real>& e, Panel first)
+  PanelImages(const Groove& cavity, const Vec3<Real>& e, Panel first)
       : PanelImages(cavity, e.x, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
 
   /// Number j of the bounce, starting at 1.
@@ -40,16 +56,16 @@ class PanelImages {
   Panel panel() const { return panel_; }
 
   /// e · N^(j), before any clamping of its rounding error.
-  const Real& normal_component() const { return e_.y(); }
+  Real normal_component() const { return e_.y(); }
 
   /// The component of e in the image, across the groove and away from the apex.
-  const Real& tangent_component() const { return e_.x(); }
+  Real tangent_component() const { return e_.x(); }
 
   /// The component of e along the groove, the same at every bounce.
   const Real& along_component() const { return along_; }
 
   /// Cosine of the angle of incidence, c_j = e · N^(j), not negative.
-  Real cos_theta_i() const { return at_least(normal_component(), Real(0)); }
+  Real cos_theta_i() const { return at_least(normal_component(), scalar_t<Real>(0)); }
 
   /// Steps to the next image.
   void advance() {
@@ -60,7 +76,7 @@ class PanelImages {
 
   /// The direction in which the light travels after bounce j: the normal component is reversed, the others
   /// stay.
-  Vec3<Real> exit_direction(const Cavity<Real>& cavity, const Vec3<Real>& e) const {
+  Vec3<Real> exit_direction(const Groove& cavity, const Vec3<Real>& e) const {
     const Real across = e_.y() * cavity.cos_half() + e_.x() * cavity.sin_half();
     return {-e.x, panel_ == Panel::one ? across : Real(-across),
             e_.y() * cavity.sin_half() - e_.x() * cavity.cos_half()};
@@ -70,14 +86,10 @@ class PanelImages {
   /// @param along component of the direction along the groove
   /// @param across its component from the first panel to the other
   /// @param up its component along the mean normal
-  PanelImages(const Cavity<Real>& cavity, const Real& along, const Real& across, const Real& up, Panel first)
-      : e_(up * cavity.cos_half() - across * cavity.sin_half(),
-           across * cavity.cos_half() + up * cavity.sin_half(), cavity.sin_aperture(),
-           cavity.versine_aperture()),
-        along_(along),
-        panel_(first) {}
+  PanelImages(const Groove& cavity, const Real& along, const Real& across, const Real& up, Panel first)
+      : e_(cavity, up, across, 1), along_(along), panel_(first) {}
 
-  TurningVector<Real> e_;  // the direction, in components along and normal to the image
+  FanVector<Real, 2> e_;  // the direction, in components along and normal to the image
   Real along_;
   Panel panel_;
   int bounce_ = 1;

@@ -3,11 +3,14 @@
 
 /// The cavity: a groove between two plane mirrors of unit width, known by its aperture alone.
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "conventions.hpp"
+#include "turning_vector.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -29,12 +32,14 @@ class Cavity {
     using std::cos;
     using std::sin;
     sin_half_ = sin(aperture_ / Real(2));
+    inverse_sin_half_ = Real(1) / sin_half_;
     const Real sin_quarter = sin(aperture_ / Real(4));
     versine_half_ = Real(2) * sin_quarter * sin_quarter;
     // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
     cos_half_ = cos(aperture_ / Real(2));
     if (cos_half_ < Real(0)) cos_half_ = Real(0);
     max_bounces_ = most_bounces_at(aperture_);
+    fill_multiples();
   }
 
   /// The angle α between the panels.
@@ -46,6 +51,9 @@ class Cavity {
   /// cos(α/2), the depth of the groove.
   const Real& cos_half() const { return cos_half_; }
 
+  /// 1/sin(α/2)
+  const Real& inverse_sin_half() const { return inverse_sin_half_; }
+
   /// 1 − cos(α/2), with all its digits when α is small
   const Real& versine_half() const { return versine_half_; }
 
@@ -54,6 +62,18 @@ class Cavity {
 
   /// 1 − cos α, with all its digits when α is small
   Real versine_aperture() const { return Real(2) * sin_half_ * sin_half_; }
+
+  /// Cosine and sine of an angle.
+  struct Rotation {
+    Real cosine;
+    Real sine;
+  };
+
+  /// The number of multiples of α/2 whose cosines and sines are kept: enough for apertures of 24° and more.
+  static constexpr int tabulated_multiples = 15;
+
+  /// Cosine and sine of kα/2, for k in [0, tabulated_multiples].
+  const Rotation& multiple(int k) const { return multiples_[static_cast<std::size_t>(k)]; }
 
   /// The normal of a panel, pointing into the groove (Eq. 5).
   Vec3<Real> normal(Panel panel) const {
@@ -80,11 +100,21 @@ class Cavity {
     return count < Real(1) ? 1 : static_cast<int>(count);
   }
 
+  void fill_multiples() {
+    TurningVector<Real> turned(Real(1), Real(0), sin_half_, versine_half_);
+    for (Rotation& multiple : multiples_) {
+      multiple = {turned.x(), turned.y()};
+      turned.turn();
+    }
+  }
+
   Real aperture_;
   Real sin_half_;
   Real cos_half_;
+  Real inverse_sin_half_;
   Real versine_half_;
   int max_bounces_;
+  std::array<Rotation, tabulated_multiples + 1> multiples_;
 };
 
 }  // namespace vcavity

@@ -37,6 +37,9 @@ struct EnergyBalance {
   friend EnergyBalance operator*(const value_type& s, const EnergyBalance& a) {
     return {s * a.reflected, s * a.absorbed};
   }
+  friend EnergyBalance operator*(const Value& s, const EnergyBalance& a) requires(!Number<Value>) {
+    return {s * a.reflected, s * a.absorbed};
+  }
   friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }
 };
 
@@ -57,6 +60,21 @@ class EnergyBalanced {
   template <class Real>
   requires AbsorbingFacet<Facet, Real> EnergyBalance<value_t<Facet, Real>>
   operator()(const Real& cos_theta_i) const { return {facet_(cos_theta_i), facet_.absorptance(cos_theta_i)}; }
+
+  /// That of the facet.
+  auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
+  { return facet_.critical_cosine(); }
+
+  /// Those of the facet.
+  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
+  { return facet_.singular_cosines(); }
+
+  /// The same for several directions at once.
+  template <std::size_t directions>
+  auto over_directions() const requires OverDirections<Facet> {
+    return EnergyBalanced<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
+        facet_.template over_directions<directions>());
+  }
 
  private:
   Facet facet_;

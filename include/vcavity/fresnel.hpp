@@ -24,11 +24,15 @@
 /// cosine that is not a number gives a result that is not a number.
 /// Not for an absorbing incident medium, for gain (k < 0) or for magnetic materials.
 
+#include <array>
+#include <complex>
+#include <concepts>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "complex.hpp"
+#include "pack.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -39,6 +43,11 @@ struct Amplitudes {
   Complex<Value> r_s;  ///< electric field normal to the plane of incidence
   Complex<Value> r_p;  ///< electric field in the plane of incidence; equals r_s at normal incidence
 };
+
+/// What a facet of values `Value` takes for the cosine of the angle of incidence: a number, or a value with
+/// an angle for each of its components.
+template <class Cosine, class Value>
+concept CosineFor = std::convertible_to<Cosine, scalar_t<Value>> || std::same_as<Cosine, Value>;
 
 namespace detail {
 
@@ -82,26 +91,43 @@ void require_index(const Value& a, const scalar_t<Value>& low, const char* name)
 }
 
 /// The angle of incidence.
-template <class Real>
+/// @tparam Cosine a number, or a value with an angle for each of its components
+template <class Cosine>
 struct Incidence {
+  using Real = scalar_t<Cosine>;
+
   /// Cosines are taken to lie in [`smallest_cosine`, 1].
-  explicit Incidence(const Real& cos_theta_i)
+  explicit Incidence(const Cosine& cos_theta_i)
       : c(at_most(at_least(cos_theta_i, smallest_cosine<Real>()), Real(1))),
         c2(c * c),
-        s2((Real(1) - c) * (Real(1) + c)) {}
+        s2((Cosine(1) - c) * (Cosine(1) + c)) {}
 
   /// Re w² = Re (n + ik)² − s² = Re m + c²: of these equal sums the one that cancels less.
   /// @param permittivity Re (n + ik)²
   /// @param contrast Re m
   template <class Value>
   Value normal_component_squared(const Value& permittivity, const Value& contrast) const {
-    return c2 < s2 ? contrast + Value(c2) : permittivity - Value(s2);
+    if constexpr (Number<Cosine>) {
+      return c2 < s2 ? Value(contrast + Value(c2)) : Value(permittivity - Value(s2));
+    } else {
+      return select_positive(Value(s2 - c2), Value(contrast + c2), Value(permittivity - s2));
+    }
   }
 
-  Real c;   ///< cosine of the angle of incidence
-  Real c2;  ///< its square
-  Real s2;  ///< the square of the sine
+  Cosine c;   ///< cosine of the angle of incidence
+  Cosine c2;  ///< its square
+  Cosine s2;  ///< the square of the sine
 };
+
+/// The angle of incidence of a facet of values `Value`.
+template <class Value, CosineFor<Value> Cosine>
+auto incidence_for(const Cosine& cos_theta_i) {
+  if constexpr (std::same_as<Cosine, Value>) {
+    return Incidence<Value>(cos_theta_i);
+  } else {
+    return Incidence<scalar_t<Value>>(static_cast<scalar_t<Value>>(cos_theta_i));
+  }
+}
 
 /// A refracted wave at an interface of contrast m, with the combinations that all formulas share.
 template <class Value>
@@ -110,10 +136,11 @@ struct RefractedWave {
 
   /// @param permittivity Re (n + ik)²
   /// @param contrast m = (n + ik)² − 1, Im m ≥ 0
-  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  RefractedWave(const Value& permittivity, const Complex<Value>& contrast, const Real& cos_theta_i) {
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1], one for all components or one for each
+  template <class Cosine>
+  RefractedWave(const Value& permittivity, const Complex<Value>& contrast, const Cosine& cos_theta_i) {
     using std::sqrt;
-    const Incidence<Real> incidence(cos_theta_i);
+    const auto incidence = incidence_for<Value>(cos_theta_i);
     c = Value(incidence.c);
     s2 = Value(incidence.s2);
     const Complex<Value> w2{incidence.normal_component_squared(permittivity, contrast.re), contrast.im};
@@ -150,9 +177,9 @@ struct RefractedWave {
   Value w_norm;      ///< |w|²
 };
 
-template <class Value>
+template <class Value, class Cosine>
 Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Value>& contrast,
-                                     const scalar_t<Value>& cos_theta_i) {
+                                     const Cosine& cos_theta_i) {
   using Real = scalar_t<Value>;
   const RefractedWave<Value> wave(permittivity, contrast, cos_theta_i);
   // (c − w)/(c + w) = (c² − |w|² − 2ic Im w)/|c + w|². Where c² − |w|² would cancel, m stands in for w² − c².
@@ -166,6 +193,14 @@ Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Va
   const Complex<Value> cw = wave.c * wave.w;
   const Complex<Value> s2{wave.s2, Value(0)};
   return {r_s, r_s * ((cw - s2) / (cw + s2))};
+}
+
+/// The singularities of the reflectance as a function of a complex cosine, up to conjugation: the pole of
+/// r_p, where c w = −s², and the branch points of w.
+/// @param m contrast
+inline std::array<std::complex<double>, 3> singular_cosines(const std::complex<double>& m) {
+  const std::complex<double> branch = std::sqrt(-m);
+  return {-1.0 / std::sqrt(m + 2.0), branch, -branch};
 }
 
 /// √(−m) where that is a cosine, else 0.
@@ -198,7 +233,8 @@ class Conductor {
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Value operator()(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Value operator()(const Cosine& cos_theta_i) const {
     const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
     const Value sum_norm = wave.sum_norm();
     const Value r_s = wave.difference_norm(contrast_norm_) / (sum_norm * sum_norm);
@@ -209,7 +245,8 @@ class Conductor {
   /// Absorptance of unpolarised light, 1 − reflectance, to full relative precision; for k = 0 the
   /// transmittance into the medium.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Value absorptance(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Value absorptance(const Cosine& cos_theta_i) const {
     const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
     const Value a_s = Real(4) * (wave.c * wave.w.re) / wave.sum_norm();
     const Value ratio = (wave.w_norm + wave.s2) / wave.parallel_sum_norm();
@@ -218,7 +255,8 @@ class Conductor {
 
   /// Amplitudes r_s and r_p.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     return detail::fresnel_amplitudes(permittivity_, contrast_, cos_theta_i);
   }
 
@@ -226,10 +264,32 @@ class Conductor {
   /// 0); 0 if there is none in (0, 1].
   Value critical_cosine() const { return detail::critical_cosine(contrast_.re); }
 
+  /// The complex cosines at which the reflectance is singular, up to conjugation; quadrature wants to know
+  /// them.
+  std::array<std::complex<double>, 3> singular_cosines() const requires Number<Value> {
+    return detail::singular_cosines({static_cast<double>(contrast_.re), static_cast<double>(contrast_.im)});
+  }
+
   /// (n + ik)² − 1
   const Complex<Value>& contrast() const { return contrast_; }
 
+  /// The same facet for several directions at once: it takes a `Pack` of cosines.
+  template <std::size_t directions>
+  Conductor<Pack<Real, directions>> over_directions() const requires Number<Value> {
+    using Values = Pack<Real, directions>;
+    Conductor<Values> result;
+    result.permittivity_ = Values(permittivity_);
+    result.contrast_ = {Values(contrast_.re), Values(contrast_.im)};
+    result.contrast_norm_ = Values(contrast_norm_);
+    return result;
+  }
+
  private:
+  template <class Other>
+  friend class Conductor;
+
+  Conductor() = default;
+
   Conductor(const Value& n, const Value& n_minus_1, const Value& k) {
     detail::require_index(n, Real(0), "the refractive index n");
     detail::require_index(k, Real(0), "the extinction coefficient k");
@@ -262,7 +322,8 @@ class Dielectric {
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Value operator()(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Value operator()(const Cosine& cos_theta_i) const {
     const Wave wave(permittivity_, contrast_, cos_theta_i);
     const Value r_s = wave.difference(contrast_) / wave.sum_norm();
     const Value ratio = (wave.cw - wave.s2) / (wave.cw + wave.s2);
@@ -273,7 +334,8 @@ class Dielectric {
   /// The part of unpolarised light that is refracted into the medium, 1 − reflectance, to full relative
   /// precision.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Value absorptance(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Value absorptance(const Cosine& cos_theta_i) const {
     const Wave wave(permittivity_, contrast_, cos_theta_i);
     const Value parallel_sum = wave.cw + wave.s2;
     const Value t_s = Real(4) * wave.cw / wave.sum_norm();
@@ -284,21 +346,39 @@ class Dielectric {
 
   /// Amplitudes r_s and r_p; complex in total reflection.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  Amplitudes<Value> amplitudes(const Real& cos_theta_i) const {
+  template <CosineFor<Value> Cosine>
+  Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     return detail::fresnel_amplitudes(permittivity_, Complex<Value>{contrast_, Value(0)}, cos_theta_i);
   }
 
   /// Cosine of the critical angle, below which reflection is total; 0 for n ≥ 1.
   Value critical_cosine() const { return detail::critical_cosine(contrast_); }
 
+  /// The complex cosines at which the reflectance is singular, up to conjugation; quadrature wants to know
+  /// them.
+  std::array<std::complex<double>, 3> singular_cosines() const requires Number<Value> {
+    return detail::singular_cosines(static_cast<double>(contrast_));
+  }
+
   /// n² − 1
   const Value& contrast() const { return contrast_; }
 
+  /// The same facet for several directions at once: it takes a `Pack` of cosines.
+  template <std::size_t directions>
+  Dielectric<Pack<Real, directions>> over_directions() const requires Number<Value> {
+    using Values = Pack<Real, directions>;
+    Dielectric<Values> result;
+    result.permittivity_ = Values(permittivity_);
+    result.contrast_ = Values(contrast_);
+    return result;
+  }
+
  private:
   struct Wave {
-    Wave(const Value& permittivity, const Value& contrast, const Real& cos_theta_i) {
+    template <class Cosine>
+    Wave(const Value& permittivity, const Value& contrast, const Cosine& cos_theta_i) {
       using std::sqrt;
-      const detail::Incidence<Real> incidence(cos_theta_i);
+      const auto incidence = detail::incidence_for<Value>(cos_theta_i);
       c = Value(incidence.c);
       s2 = Value(incidence.s2);
       w2 = incidence.normal_component_squared(permittivity, contrast);
@@ -313,6 +393,11 @@ class Dielectric {
     Value sum_norm() const { return (c + w) * (c + w); }
     Value c, s2, w2, w, cw;
   };
+
+  template <class Other>
+  friend class Dielectric;
+
+  Dielectric() = default;
 
   Dielectric(const Value& n, const Value& n_minus_1) {
     detail::require_index(n, detail::smallest_index<Real>(), "the refractive index n");

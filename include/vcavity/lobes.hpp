@@ -27,7 +27,7 @@
 
 #include "bounces.hpp"
 #include "cavity.hpp"
-#include "turning_vector.hpp"
+#include "fan.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -65,30 +65,57 @@ class Lobes {
 
 /// A fraction of the opening below this is the rounding error of a direction at a change of the bounce count;
 /// it is counted with its neighbour.
-template <class Real>
+template <Number Real>
 Real negligible_fraction() {
   return Real(4) * std::numeric_limits<Real>::epsilon();
 }
 
+/// The opening of the groove as the light of a direction finds it.
+/// @tparam Real number type of a component, or a `Pack` of them: as many directions at once
+template <class Real>
+struct LitOpening {
+  using Scalar = scalar_t<Real>;
+
+  /// @param e direction towards the light, e.z ≥ least_up
+  LitOpening(const Cavity<Scalar>& cavity, const Vec3<Real>& e)
+      : inverse_e_z(Real(1) / e.z), inverse_width(Real(1) / (Scalar(2) * cavity.sin_half() * e.z)) {
+    const Real other_normal = cavity.sin_half() * e.z - cavity.cos_half() * magnitude(e.y);
+    other_share = at_least(Real(other_normal * inverse_width), Scalar(0));
+    both = other_share - Real(negligible_fraction<Scalar>());
+    any_both = any_positive(both);
+    all_both = all_positive(both);
+  }
+
+  /// The least e.z, so small that light travels along the groove whatever it is; inverses are finite.
+  static Scalar least_up(const Cavity<Scalar>& cavity) {
+    return smallest_divisor<Scalar>() * cavity.inverse_sin_half();
+  }
+
+  Real inverse_e_z;    ///< 1/e_z
+  Real inverse_width;  ///< of the width of the opening as the light sees it, 2 e_z sin(α/2)
+  Real other_share;  ///< fraction of the opening whose rays meet the panel first that does not face the light
+  Real both;         ///< positive where light reaches both panels directly
+  bool any_both;
+  bool all_both;
+};
+
 /// The series f_j of one first panel, advanced in step with its `PanelImages`.
+/// @tparam Real number type of a component, or a `Pack` of them: as many directions at once
 template <class Real>
 class ReachedFractions {
  public:
-  /// @param e direction towards the light, e.z ≥ 0
-  /// @param images at the first bounce
-  ReachedFractions(const Cavity<Real>& cavity, const Vec3<Real>& e, const PanelImages<Real>& images)
-      : opening_(Real(2) * e.z * cavity.sin_half()),
-        sine_(cavity.sin_half()),
-        e_z_(e.z),
-        fan_(cavity.cos_half(), cavity.sin_half(), cavity.sin_half(), cavity.versine_half()),
-        slope_(e.z, largest(e.y), cavity.sin_half(), cavity.versine_half()) {
-    const Panel facing = e.y < Real(0) ? Panel::two : Panel::one;
-    const bool is_facing = images.panel() == facing;
-    const Real other_normal = e.z * cavity.sin_half() - largest(e.y) * cavity.cos_half();
-    both_lit_ = other_normal > negligible_fraction<Real>() * opening_;
-    const Real beyond_rim = both_lit_ ? Real(other_normal / opening_) : Real(0);
-    first_ = is_facing ? Real(Real(1) - beyond_rim) : beyond_rim;
-  }
+  using Scalar = scalar_t<Real>;
+
+  /// @param e direction towards the light, e.z ≥ least_up
+  /// @param opening as the light finds it
+  /// @param first the panel met first
+  ReachedFractions(const Cavity<Scalar>& cavity, const Vec3<Real>& e, const LitOpening<Real>& opening,
+                   Panel first)
+      : opening_(opening),
+        inverse_sine_(cavity.inverse_sin_half()),
+        first_(first == facing_panel(e) ? Real(Real(1) - opening.other_share) : opening.other_share),
+        fan_(cavity, Scalar(1), Scalar(0), 1),
+        slope_(cavity, e.z, magnitude(e.y), 0) {}
 
   /// f_1: the fraction of the opening whose rays meet this panel first.
   const Real& first() const { return first_; }
@@ -97,21 +124,24 @@ class ReachedFractions {
   /// @param images at bounce j + 1
   /// @return f_{j+1}
   Real advance(const PanelImages<Real>& images) {
-    if (both_lit_) return at_least(at_most(Real(images.normal_component() / opening_), first_), Real(0));
-    fan_.turn();
-    slope_.turn();
-    if (!(slope_.x() > Real(0))) return Real(0);
-    return at_most(Real(fan_.y() / sine_ * (slope_.x() / e_z_)), Real(1));
+    Real on_one(0);
+    if (!opening_.all_both) {
+      fan_.turn();
+      slope_.turn();
+      const Real share = (fan_.y() * inverse_sine_) * (slope_.x() * opening_.inverse_e_z);
+      on_one = at_least(at_most(share, Scalar(1)), Scalar(0));
+      if (!opening_.any_both) return on_one;
+    }
+    const Real share = images.normal_component() * opening_.inverse_width;
+    return select_positive(opening_.both, at_least(at_most(share, first_), Scalar(0)), on_one);
   }
 
  private:
-  Real opening_;  // the width of the opening as the light sees it
-  Real sine_;
-  Real e_z_;
-  bool both_lit_;  // whether light reaches both panels directly
+  const LitOpening<Real>& opening_;
+  Scalar inverse_sine_;  // 1/sin(α/2)
   Real first_;
-  TurningVector<Real> fan_;    // cos(jα/2), sin(jα/2)
-  TurningVector<Real> slope_;  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
+  FanVector<Scalar, 1> fan_;  // cos(jα/2), sin(jα/2)
+  FanVector<Real, 1> slope_;  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
 };
 
 /// What to do with light of which nothing is left, its throughput being below the smallest normal number.
@@ -120,47 +150,60 @@ enum class DarkLight {
   merged     ///< into one lobe that ends where the light does
 };
 
+/// Whether nothing is left of a throughput. That shows in long series only, and is looked for now and then.
+template <class Value>
+bool is_dark(const Value& throughput, int bounce) {
+  constexpr int seldom = 8;
+  return bounce % seldom == 0 && largest(throughput) < std::numeric_limits<scalar_t<Value>>::min();
+}
+
 /// Calls `visit` with every lobe of a direction; the loop behind `lobes` and `directional_reflectance`.
+///
+/// For a pack of directions, a bounce at which none of them has a lobe is left out; where only some have one,
+/// the weight of the others is 0.
 ///
 /// A fraction of the opening below `negligible_fraction` is the rounding error of a direction at a change of
 /// the bounce count. It is counted with its neighbour, so no such lobe appears.
 ///
-/// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
+/// @param towards_light direction towards the light, or towards the viewer under diffuse light; z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces lobes of more bounces are left out
 /// @param visit called as visit(images at the last bounce, weight, throughput)
 template <class Real, FacetReflectance<Real> Facet, class Visit>
-void for_each_lobe(const Cavity<Real>& cavity, const Vec3<Real>& e, const Facet& facet, int most_bounces,
-                   Visit&& visit, DarkLight dark_light = DarkLight::followed) {
+void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towards_light, const Facet& facet,
+                   int most_bounces, Visit&& visit, DarkLight dark_light = DarkLight::followed) {
   using Value = value_t<Facet, Real>;
-  using Scalar = scalar_t<Value>;
-  assert(e.z >= Real(0));
+  const scalar_t<Real> negligible = negligible_fraction<scalar_t<Real>>();
+  assert(!any_positive(Real(-towards_light.z)));
   const int most = std::min(most_bounces, cavity.max_bounces());
   if (most < 1) return;
 
-  for (const Panel first : {Panel::one, Panel::two}) {
+  const Vec3<Real> e{towards_light.x, towards_light.y,
+                     at_least(towards_light.z, LitOpening<Real>::least_up(cavity))};
+  const LitOpening<Real> opening(cavity, e);
+  const Panel facing = facing_panel(e);
+  for (const Panel first : {facing, opposite(facing)}) {
+    if (first != facing && !opening.any_both) break;
     PanelImages<Real> images(cavity, e, first);
-    ReachedFractions<Real> fractions(cavity, e, images);
+    ReachedFractions<Real> fractions(cavity, e, opening, first);
     Value throughput(1);
     Real reached = fractions.first();
-    while (reached > Real(0)) {
-      if (largest(throughput) >= std::numeric_limits<Scalar>::min()) {
+    while (any_positive(reached)) {
+      if (!is_dark(throughput, images.bounce())) {
         throughput = throughput * reflect(facet, images);
       } else if (dark_light == DarkLight::merged) {
         visit(images, reached, throughput);
         break;
       }
-      PanelImages<Real> next_images = images;
-      next_images.advance();
-      Real next = images.bounce() < cavity.max_bounces() ? fractions.advance(next_images) : Real(0);
-      if (next < negligible_fraction<Real>()) next = Real(0);
-      if (reached - next < negligible_fraction<Real>())
-        next = reached;
-      else
-        visit(images, Real(reached - next), throughput);
-      if (images.bounce() >= most) break;
+      const PanelImages<Real> last = images;
+      images.advance();
+      Real next = last.bounce() < cavity.max_bounces() ? fractions.advance(images) : Real(0);
+      next = select_nonnegative(Real(next - Real(negligible)), next, Real(0));
+      next = select_nonnegative(Real(reached - next - Real(negligible)), next, reached);
+      const Real weight = reached - next;
+      if (any_positive(weight)) visit(last, weight, throughput);
+      if (last.bounce() >= most) break;
       reached = next;
-      images = next_images;
     }
   }
 }

@@ -57,6 +57,10 @@ class Mueller {
     return map([&s](const Value& x) { return s * x; }, a);
   }
 
+  friend Mueller operator*(const Value& s, const Mueller& a) requires(!Number<Value>) {
+    return map([&s](const Value& x) { return s * x; }, a);
+  }
+
   /// What becomes of light that travels the same way backwards. By Helmholtz reciprocity the Jones matrix is
   /// transposed; and of the axes of light that travels along −k, a is the same and b the opposite, so that U
   /// changes sign.

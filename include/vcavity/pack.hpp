@@ -4,81 +4,142 @@
 /// A fixed number of values computed together, such as the wavelengths of a spectrum or neighbouring
 /// directions.
 ///
-/// Every operation works component by component, in loops of known length that compilers turn into vector
-/// instructions. `Conductor<Pack<double, 31>>` is a facet reflectance for 31 wavelengths at once.
+/// Every operation works component by component, in vector registers where the compiler has them (GCC and
+/// Clang, as wide as the instruction set that the translation unit is compiled for). `Conductor<Pack<double,
+/// 31>>` is a facet reflectance for 31 wavelengths at once. Translation units compiled for different
+/// instruction sets must not exchange packs.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 #include "value.hpp"
 
 namespace vcavity {
 
+namespace detail {
+
+/// Bytes in a vector register.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+/// As many numbers as an instruction takes: a vector register, or a single number where there is none.
+template <class Real, std::size_t size>
+struct Register {
+  using type = Real;
+  static constexpr std::size_t width = 1;
+};
+
+#if defined(__GNUC__)
+template <class Real, std::size_t size>
+requires((std::is_same_v<Real, float> || std::is_same_v<Real, double>)&&size >
+         1) struct Register<Real, size> {
+  // No wider than the pack, rounded up to a power of two.
+  static constexpr std::size_t bytes() {
+    std::size_t result = 2 * sizeof(Real);
+    while (result < size * sizeof(Real) && result < register_bytes) result *= 2;
+    return result;
+  }
+  typedef Real type __attribute__((vector_size(bytes()), may_alias));
+  static constexpr std::size_t width = bytes() / sizeof(Real);
+};
+#endif
+
+}  // namespace detail
+
 /// @tparam Real number type of a component
 /// @tparam size number of components, at least 1
 template <class Real, std::size_t size>
 class Pack {
+  using Register = typename detail::Register<Real, size>::type;
+  static constexpr std::size_t width = detail::Register<Real, size>::width;
+  static constexpr std::size_t registers = (size + width - 1) / width;
+
  public:
   using value_type = Real;
 
   Pack() = default;
 
   /// All components equal to `value`.
-  constexpr explicit Pack(const Real& value) { components_.fill(value); }
-
-  constexpr explicit Pack(const std::array<Real, size>& components) : components_(components) {}
-
-  constexpr Real& operator[](std::size_t i) { return components_[i]; }
-  constexpr const Real& operator[](std::size_t i) const { return components_[i]; }
-  constexpr auto begin() const { return components_.begin(); }
-  constexpr auto end() const { return components_.end(); }
-
-  /// The pack of operation(a[i], b[i], …).
-  template <class Operation, class... Packs>
-  static constexpr Pack map(Operation operation, const Packs&... packs) {
-    Pack result;
-    for (std::size_t i = 0; i < size; ++i) result[i] = operation(packs[i]...);
-    return result;
+  explicit Pack(const Real& value) {
+    for (Register& x : registers_) x = broadcast(value);
   }
 
-  friend constexpr Pack operator-(const Pack& a) {
-    return map([](const Real& x) { return -x; }, a);
+  explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
+    for (std::size_t i = 0; i < size; ++i) (*this)[i] = components[i];
   }
-  friend constexpr Pack operator+(const Pack& a, const Pack& b) {
-    return map([](const Real& x, const Real& y) { return x + y; }, a, b);
+
+  Real& operator[](std::size_t i) { return begin()[i]; }
+  const Real& operator[](std::size_t i) const { return begin()[i]; }
+  Real* begin() { return reinterpret_cast<Real*>(registers_); }
+  Real* end() { return begin() + size; }
+  const Real* begin() const { return reinterpret_cast<const Real*>(registers_); }
+  const Real* end() const { return begin() + size; }
+
+  friend Pack operator-(const Pack& a) {
+    return map([](const auto& x) { return -x; }, a);
   }
-  friend constexpr Pack operator-(const Pack& a, const Pack& b) {
-    return map([](const Real& x, const Real& y) { return x - y; }, a, b);
+  friend Pack operator+(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x + y; }, a, b);
   }
-  friend constexpr Pack operator*(const Pack& a, const Pack& b) {
-    return map([](const Real& x, const Real& y) { return x * y; }, a, b);
+  friend Pack operator-(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x - y; }, a, b);
   }
-  friend constexpr Pack operator/(const Pack& a, const Pack& b) {
-    return map([](const Real& x, const Real& y) { return x / y; }, a, b);
+  friend Pack operator*(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x * y; }, a, b);
   }
-  friend constexpr Pack operator*(const Real& s, const Pack& a) { return Pack(s) * a; }
-  friend constexpr bool operator==(const Pack&, const Pack&) = default;
+  friend Pack operator/(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x / y; }, a, b);
+  }
+  friend Pack operator*(const Real& s, const Pack& a) {
+    return map([y = broadcast(s)](const auto& x) { return y * x; }, a);
+  }
+  friend bool operator==(const Pack& a, const Pack& b) { return std::equal(a.begin(), a.end(), b.begin()); }
 
   friend Pack sqrt(const Pack& a) {
-    return map(
-        [](const Real& x) {
-          using std::sqrt;
-          return sqrt(x);
-        },
-        a);
+    using std::sqrt;
+    Pack result = a;
+    for (Register& x : result.registers_) {
+      if constexpr (width == 1) {
+        x = sqrt(x);
+      } else {
+        for (std::size_t i = 0; i < width; ++i) x[i] = sqrt(x[i]);
+      }
+    }
+    return result;
   }
-  friend Pack abs(const Pack& a) {
-    return map([](const Real& x) { return x < Real(0) ? Real(-x) : x; }, a);
+  friend Pack magnitude(const Pack& a) {
+    return map([](const auto& x) { return x < zero() ? -x : x; }, a);
   }
   friend Pack select_nonnegative(const Pack& x, const Pack& a, const Pack& b) {
-    return map([](const Real& t, const Real& y, const Real& z) { return t >= Real(0) ? y : z; }, x, a, b);
+    return map([](const auto& t, const auto& y, const auto& z) { return t >= zero() ? y : z; }, x, a, b);
+  }
+  friend Pack select_positive(const Pack& x, const Pack& a, const Pack& b) {
+    return map([](const auto& t, const auto& y, const auto& z) { return t > zero() ? y : z; }, x, a, b);
   }
   friend Pack at_least(const Pack& a, const Real& floor) {
-    return map([&floor](const Real& x) { return x < floor ? floor : x; }, a);
+    return map([low = broadcast(floor)](const auto& x) { return x < low ? low : x; }, a);
   }
   friend Pack at_most(const Pack& a, const Real& ceiling) {
-    return map([&ceiling](const Real& x) { return ceiling < x ? ceiling : x; }, a);
+    return map([high = broadcast(ceiling)](const auto& x) { return high < x ? high : x; }, a);
+  }
+  friend Pack at_most(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
+  }
+  friend bool any_positive(const Pack& a) {
+    return a.any([](const auto& x) { return x > decltype(x + x){}; });
+  }
+  friend bool all_positive(const Pack& a) {
+    return !a.any([](const auto& x) { return !(x > decltype(x + x){}); });
   }
   template <class Visit>
   friend void for_each_component(const Pack& a, Visit&& visit) {
@@ -91,7 +152,42 @@ class Pack {
   }
 
  private:
-  std::array<Real, size> components_;
+  static Register broadcast(const Real& value) {
+    if constexpr (width == 1) {
+      return value;
+    } else {
+      return value - Register{};
+    }
+  }
+  static Register zero() { return Register(broadcast(Real(0))); }
+
+  /// The pack of operation(a, b, …), a register at a time.
+  template <class Operation, class... Packs>
+  static Pack map(Operation operation, const Packs&... packs) {
+    Pack result;
+    for (std::size_t i = 0; i < registers; ++i) result.registers_[i] = operation(packs.registers_[i]...);
+    return result;
+  }
+
+  /// Whether a condition holds for some component.
+  template <class Condition>
+  bool any(Condition condition) const {
+    if constexpr (width == 1 || size % width != 0) {
+      for (const Real& x : *this)
+        if (bool(condition(x))) return true;
+      return false;
+    } else {
+      auto found = condition(registers_[0]);
+      for (std::size_t i = 1; i < registers; ++i) found |= condition(registers_[i]);
+      std::array<std::uint64_t, sizeof found / sizeof(std::uint64_t)> words;
+      std::memcpy(words.data(), &found, sizeof found);
+      std::uint64_t bits = 0;
+      for (const std::uint64_t word : words) bits |= word;
+      return bits != 0;
+    }
+  }
+
+  Register registers_[registers];
 };
 
 }  // namespace vcavity

@@ -103,6 +103,8 @@ class TriedFacet {
     return {1, s, p, 0.5 * (s + p)};
   }
   double critical_cosine() const { return critical_cosine_of<double>(facet_); }
+  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
+  { return facet_.singular_cosines(); }
 
  private:
   const Facet& facet_;
@@ -135,8 +137,8 @@ Omissions worst_omissions(const Cavity<double>& cavity, const Facet& facet) {
   Omissions worst(0.0);
   const auto try_direction = [&](double theta, double sin_psi, double cos_psi) {
     const Vec3<double> e{sin_psi, cos_psi * std::sin(theta), cos_psi * std::cos(theta)};
-    worst = Omissions::map([](double a, double b) { return a < margin * b ? margin * b : a; }, worst,
-                           directional_reflectance(cavity, e, tried));
+    const Omissions here = margin * directional_reflectance(cavity, e, tried);
+    worst = select_nonnegative(worst - here, worst, here);
   };
   for (const double theta : angles_across(cavity)) {
     for (int j = 0; j < steps_along; ++j) {

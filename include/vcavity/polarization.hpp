@@ -61,6 +61,10 @@ struct SeparatePolarizations {
   friend SeparatePolarizations operator*(const value_type& scale, const SeparatePolarizations& a) {
     return {scale * a.s, scale * a.p};
   }
+  friend SeparatePolarizations operator*(const Value& scale,
+                                         const SeparatePolarizations& a) requires(!Number<Value>) {
+    return {scale * a.s, scale * a.p};
+  }
   friend value_type largest(const SeparatePolarizations& a) { return at_least(largest(a.s), largest(a.p)); }
 };
 
@@ -96,6 +100,17 @@ class SeparatelyPolarized {
   auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
   { return facet_.critical_cosine(); }
 
+  /// Those of the facet.
+  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
+  { return facet_.singular_cosines(); }
+
+  /// The same for several directions at once.
+  template <std::size_t directions>
+  auto over_directions() const requires OverDirections<Facet> {
+    return SeparatelyPolarized<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
+        facet_.template over_directions<directions>());
+  }
+
  private:
   Facet facet_;
 };
@@ -118,19 +133,33 @@ class Polarized {
   auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
   { return facet_.critical_cosine(); }
 
+  /// Those of the facet.
+  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
+  { return facet_.singular_cosines(); }
+
+  /// The same for several directions at once.
+  template <std::size_t directions>
+  auto over_directions() const requires OverDirections<Facet> {
+    return Polarized<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
+        facet_.template over_directions<directions>());
+  }
+
  private:
   template <class Value, class Real>
   static Jones<Value> jones(const Amplitudes<Value>& facet, const PanelImages<Real>& bounce) {
-    using Scalar = scalar_t<Value>;
     const Real p_a = bounce.along_component() * bounce.normal_component();
     const Real p_b =
         bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
     const Real length2 = p_a * p_a + p_b * p_b;
+    const Real inverse = Real(1) / at_least(length2, smallest_divisor<scalar_t<Real>>());
     const Complex<Value> none{Value(0), Value(0)};
-    if (!(length2 >= std::numeric_limits<Real>::min())) return {facet.r_s, none, none, none - facet.r_s};
     const Complex<Value> difference = facet.r_p - facet.r_s;
-    const auto part = [&difference, inverse = Real(1) / length2](const Real& product) {
-      return Value(static_cast<Scalar>(product * inverse)) * difference;
+    const auto part = [&](const Real& product) {
+      if constexpr (Number<Real>) {
+        return Value(static_cast<scalar_t<Value>>(product * inverse)) * difference;
+      } else {
+        return (product * inverse) * difference;
+      }
     };
     const Complex<Value> mixed = part(p_a * p_b);
     return {facet.r_s + part(p_a * p_a), mixed, none - mixed, none - (facet.r_s + part(p_b * p_b))};

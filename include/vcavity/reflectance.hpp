@@ -14,19 +14,22 @@ namespace vcavity {
 
 /// Directional reflectance R(θ, φ), Eq. 20 without its quadrature.
 ///
+/// @tparam Real number type, or a `Pack` of numbers for as many directions at once, all with e.y ≥ 0; then
+/// the
+///         facet is one of packs too, see `over_directions`
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces light that needs more bounces is left out
 /// @return a value of the facet's type, or what its `power` makes of it
 template <class Real, FacetReflectance<Real> Facet>
-power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+power_t<Facet, Real> directional_reflectance(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
                                              const Facet& facet, int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   power_t<Facet, Real> reflectance(0);
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        reflectance = reflectance + static_cast<scalar_t<Value>>(weight) * power(throughput);
+        reflectance = reflectance + scaled(weight, power(throughput));
       },
       DarkLight::merged);
   return reflectance;
@@ -38,7 +41,7 @@ power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const V
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet facet reflectance with a member `absorptance`, such as `Conductor`
 template <class Real, AbsorbingFacet<Real> Facet>
-value_t<Facet, Real> directional_absorptance(const Cavity<Real>& cavity, const Vec3<Real>& e,
+value_t<Facet, Real> directional_absorptance(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
                                              const Facet& facet) {
   return directional_reflectance(cavity, e, EnergyBalanced<Facet>(facet)).absorbed;
 }

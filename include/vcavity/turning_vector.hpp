@@ -12,19 +12,30 @@
 /// Compilers that treat addition as associative (-ffast-math) remove the compensation: the error then grows
 /// by up to ε with each turn.
 
+#include "value.hpp"
+
 namespace vcavity {
 
+/// @tparam Real number type of a component, or a `Pack` of them: one vector for each direction
 template <class Real>
 class TurningVector {
  public:
+  using Scalar = scalar_t<Real>;
+
   /// @param x, y components at the start
   /// @param sine sin of the angle of one turn, from x towards y
   /// @param versine 1 − cos of that angle
-  TurningVector(const Real& x, const Real& y, const Real& sine, const Real& versine)
+  TurningVector(const Real& x, const Real& y, const Scalar& sine, const Scalar& versine)
       : x_{x, Real(0)}, y_{y, Real(0)}, sine_(sine), versine_(versine) {}
 
   const Real& x() const { return x_.value; }
   const Real& y() const { return y_.value; }
+
+  /// Starts anew.
+  void place(const Real& x, const Real& y) {
+    x_ = {x, Real(0)};
+    y_ = {y, Real(0)};
+  }
 
   /// Turns the vector once.
   void turn() {
@@ -50,8 +61,8 @@ class TurningVector {
 
   CompensatedSum x_;
   CompensatedSum y_;
-  Real sine_;
-  Real versine_;
+  Scalar sine_;
+  Scalar versine_;
 };
 
 }  // namespace vcavity

@@ -96,10 +96,23 @@ concept FacetReflectance = std::invocable < const Facet&,
   { scalar_t<value_t<Facet, Real>>(1) * p } -> std::convertible_to<power_t<Facet, Real>>;
 };
 
+/// A facet of numbers that can be had for several directions at once: `facet.over_directions<4>()` takes a
+/// `Pack` of 4 directions.
+template <class Facet>
+concept OverDirections = requires(const Facet& facet) {
+  facet.template over_directions<4>();
+};
+
+/// Component by component, the absolute value.
+template <Number Real>
+Real magnitude(const Real& a) {
+  return a < Real(0) ? Real(-a) : a;
+}
+
 /// The largest magnitude in a value.
 template <Number Real>
 Real largest(const Real& a) {
-  return a < Real(0) ? Real(-a) : a;
+  return magnitude(a);
 }
 
 template <glm::length_t length, class Real>
@@ -119,6 +132,40 @@ template <glm::length_t length, class Real>
 glm::vec<length, Real> select_nonnegative(const glm::vec<length, Real>& x, const glm::vec<length, Real>& a,
                                           const glm::vec<length, Real>& b) {
   return glm::mix(b, a, glm::greaterThanEqual(x, glm::vec<length, Real>(0)));
+}
+
+/// Component by component, `a` where x > 0 and `b` elsewhere.
+template <Number Real>
+Real select_positive(const Real& x, const Real& a, const Real& b) {
+  return x > Real(0) ? a : b;
+}
+
+/// Whether a component is positive.
+template <Number Real>
+bool any_positive(const Real& a) {
+  return a > Real(0);
+}
+
+/// Whether all components are positive.
+template <Number Real>
+bool all_positive(const Real& a) {
+  return a > Real(0);
+}
+
+/// A value times a number, or times one number for each of its components.
+template <class Value, class Factor>
+auto scaled(const Factor& factor, const Value& value) {
+  if constexpr (Number<Factor>) {
+    return static_cast<scalar_t<Value>>(factor) * value;
+  } else {
+    return factor * value;
+  }
+}
+
+/// The smallest number to divide by: its inverse is finite.
+template <Number Real>
+Real smallest_divisor() {
+  return Real(4) * std::numeric_limits<Real>::min();
 }
 
 /// Component by component, the larger of `a` and the number `floor`.
