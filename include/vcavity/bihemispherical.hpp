@@ -21,6 +21,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
@@ -119,6 +121,18 @@ struct CountedFacet {
   int directions;  // of an argument
 };
 
+/// A facet that notes the angles between the direction and the panels, in the plane across the groove.
+template <class Real>
+struct AngleRecorder {
+  Real operator()(const PanelImages<Real>& bounce) const {
+    angles->push_back(std::atan2(static_cast<double>(bounce.normal_component()),
+                                 static_cast<double>(bounce.tangent_component())));
+    return Real(1);
+  }
+
+  std::vector<double>* angles;
+};
+
 /// A rectangle of the square of directions.
 template <class Real>
 struct Cell {
@@ -128,16 +142,14 @@ struct Cell {
 
 /// The integrand of the bi-hemispherical reflectance and its quadrature over cells.
 ///
-/// In both angles the variable of integration is u with x = sin(πu/2), −1 ≤ x ≤ 1 along the range of the
-/// angle (or 0 ≤ x ≤ 1 where the integrand is even). That draws the nodes to the ends of the range: towards
-/// grazing incidence, near which the reflectance of a metal changes most, and towards critical angles, where
-/// it starts like a square root. Across, where the singularities of the facet are known to be far away, x
-/// itself is better.
+/// In both angles the variable of integration draws nodes to the ends of the range as far as the facet asks
+/// for it: towards grazing incidence, near which the reflectance of a metal changes most, and towards
+/// critical angles, where reflectances start like a square root.
 ///
-/// The first order tried is the one that the singularities ask for. Then the Legendre series of the integrand
-/// is looked at: its last known terms, and the rate at which they fall off, tell how large are those that the
-/// rule misses. The rate is the smaller one of those observed and derived from the singularities, or half the
-/// observed one where none are known.
+/// The first order tried is the one that the singularities of the facet ask for. Then the Legendre series of
+/// the integrand is looked at: its last known terms, and the rate at which they fall off, tell how large are
+/// those that the rule misses. The rate is the smaller one of those observed and derived from the
+/// singularities, or half the observed one where these are not known.
 template <class Real, class Facet>
 class HemisphereQuadrature {
  public:
@@ -150,7 +162,8 @@ class HemisphereQuadrature {
         most_bounces_(most_bounces),
         critical_(critical_cosine_of<Real>(facet)),
         singular_cosines_(critical_ > Real(0) ? std::vector<std::complex<double>>{}
-                                              : singular_cosines_of(facet)) {}
+                                              : singular_cosines_of(facet)),
+        whole_along_(convergence_to(pi<Real>() / Real(2))) {}
 
   /// The integral of R(e) cos²ψ cos θ' over the quarter of the hemisphere, [0, π/2]².
   Integral<Value> operator()(const Scalar& tolerance) {
@@ -166,43 +179,46 @@ class HemisphereQuadrature {
  private:
   using Rule = SeriesRule<Real>;
 
-  static constexpr std::size_t lanes = 4;  // directions of one ψ rule that are evaluated together
-  using Pack = vcavity::Pack<Real, lanes>;
-  static constexpr std::size_t least_along = 4, most_along = 64, least_across = 4, most_across = 40;
+  /// Whether facets are asked for several directions of the same θ' at once.
+  static constexpr bool in_packs() {
+    if constexpr (std::is_floating_point_v<Real> && OverDirections<Facet>)
+      return std::is_same_v<Value, Real>;
+    else
+      return false;
+  }
+  static constexpr std::size_t lanes = in_packs() ? 4 : 1;
+  using Reals = std::conditional_t<in_packs(), Pack<Real, 4>, Real>;
+  using Values = std::conditional_t<in_packs(), Pack<Real, 4>, Value>;
+
+  static constexpr std::size_t least_order = 4, most_along = 64, most_across = 40;
   static constexpr int most_halvings = 40;  // of one cell
   static constexpr long long most_evaluations = 50'000'000;
 
-  /// Whether facets are asked for several directions at once.
-  static constexpr bool in_packs() {
-    if constexpr (std::is_floating_point_v<Real> && OverDirections<Facet>) {
-      return std::is_same_v<Value, Real>;
-    } else {
-      return false;
-    }
-  }
-
   /// A sum of values, and of the terms of the Legendre series with them.
+  template <class Addend>
   struct Sum {
-    Value integral = Value(0);
-    std::array<Value, Rule::terms> terms{Value(0), Value(0), Value(0), Value(0)};
+    Addend integral = Addend(0);
+    std::array<Addend, Rule::terms> terms{Addend(0), Addend(0), Addend(0), Addend(0)};
 
-    void add(const Value& value, const Scalar& weight, const std::array<Scalar, Rule::terms>& projection) {
-      integral = integral + weight * value;
-      for (std::size_t i = 0; i < Rule::terms; ++i) terms[i] = terms[i] + projection[i] * value;
+    template <class Weight>
+    void add(const Addend& value, const Weight& weight, const std::array<Weight, Rule::terms>& projection) {
+      integral = integral + scaled(weight, value);
+      for (std::size_t i = 0; i < Rule::terms; ++i) terms[i] = terms[i] + scaled(projection[i], value);
     }
   };
 
-  /// The size of the terms of several series.
+  /// The sizes of the terms of several series, added up.
   struct Series {
     std::array<double, Rule::terms> sizes{};
 
-    void add(const Sum& sum, const Real& scale) {
+    template <class Addend>
+    void add(const Sum<Addend>& sum, const Real& weight) {
       for (std::size_t i = 0; i < Rule::terms; ++i)
-        sizes[i] += static_cast<double>(scale) * static_cast<double>(largest(sum.terms[i]));
+        sizes[i] += static_cast<double>(weight) * static_cast<double>(largest(total(sum.terms[i])));
     }
 
     /// The error of a rule.
-    /// @param known_rate at which the series falls off at most, 0 if unknown
+    /// @param known_rate at which the series falls off, 0 if unknown
     /// @param noise rounding error of the coefficients
     double error(const Rule& rule, double known_rate, double noise) const {
       constexpr double safety = 4;
@@ -216,14 +232,11 @@ class HemisphereQuadrature {
     }
   };
 
-  /// The variable of integration across.
-  struct Across {
-    bool drawn_to_ends;
-    double rate;
-  };
-
-  struct Orders {
-    std::size_t along, across;
+  /// A node, or a pack of nodes, along ψ.
+  struct AlongNode {
+    Reals sine, cosine;  // of ψ
+    Reals weight;
+    std::array<Reals, Rule::terms> projection;
   };
 
   struct Estimate {
@@ -233,14 +246,15 @@ class HemisphereQuadrature {
 
   /// Adds the integral over one cell, halved along the angle in which the highest order does not suffice.
   void add(Integral<Value>& total, const Cell<Real>& cell, const Scalar& tolerance, int halvings) {
-    const bool even = is_even(cell);
-    const double along_rate = rate_along(cell);
-    const Across across = variable_across(cell);
+    const Convergence along = convergence_along(cell);
+    const Convergence across = convergence_across(cell);
+    const int degrees_along = is_even(cell) ? 4 : 2;  // made exact by each node
+    constexpr int degrees_across = 2;
     const double half_tolerance = 0.5 * static_cast<double>(tolerance);
-    Orders orders{first_order(along_rate, even ? 4 : 2, half_tolerance, least_along, most_along),
-                  first_order(across.rate, 2, half_tolerance, least_across, most_across)};
+    std::size_t along_order = order_for(half_tolerance, degrees_along * along.rate, most_along);
+    std::size_t across_order = order_for(half_tolerance, degrees_across * across.rate, most_across);
     for (;;) {
-      const Estimate estimate = integrate(cell, orders, along_rate, across);
+      const Estimate estimate = integrate(cell, along_order, along, across_order, across);
       const double enough = std::max(half_tolerance, static_cast<double>(rounding(estimate.value)));
       const bool along_converged = estimate.along_error <= enough;
       const bool across_converged = estimate.across_error <= enough;
@@ -251,178 +265,183 @@ class HemisphereQuadrature {
                       rounding(estimate.value);
         return;
       }
-      if (!along_converged && orders.along >= most_along) {
+      const Scalar half = tolerance / Scalar(2);
+      if (!along_converged && along_order >= most_along) {
         const Real middle = (cell.psi_low + cell.psi_high) / Real(2);
-        add(total, {cell.theta_low, cell.theta_high, cell.psi_low, middle}, tolerance / Scalar(2),
-            halvings + 1);
-        add(total, {cell.theta_low, cell.theta_high, middle, cell.psi_high}, tolerance / Scalar(2),
-            halvings + 1);
+        add(total, {cell.theta_low, cell.theta_high, cell.psi_low, middle}, half, halvings + 1);
+        add(total, {cell.theta_low, cell.theta_high, middle, cell.psi_high}, half, halvings + 1);
         return;
       }
-      if (!across_converged && orders.across >= most_across) {
+      if (!across_converged && across_order >= most_across) {
         const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
-        add(total, {cell.theta_low, middle, cell.psi_low, cell.psi_high}, tolerance / Scalar(2),
-            halvings + 1);
-        add(total, {middle, cell.theta_high, cell.psi_low, cell.psi_high}, tolerance / Scalar(2),
-            halvings + 1);
+        add(total, {cell.theta_low, middle, cell.psi_low, cell.psi_high}, half, halvings + 1);
+        add(total, {middle, cell.theta_high, cell.psi_low, cell.psi_high}, half, halvings + 1);
         return;
       }
-      if (!along_converged) orders.along = raised(orders.along, most_along);
-      if (!across_converged) orders.across = raised(orders.across, most_across);
+      if (!along_converged)
+        along_order +=
+            order_for(enough / estimate.along_error, degrees_along * along.rate, most_along - along_order);
+      if (!across_converged)
+        across_order += order_for(enough / estimate.across_error, degrees_across * across.rate,
+                                  most_across - across_order);
     }
+  }
+
+  /// The number of nodes that bring an error down by a factor; a multiple of 4, which fills packs and keeps
+  /// the number of rules small.
+  /// @param rate per node; a guess stands in for 0
+  static std::size_t order_for(double factor, double rate, std::size_t most) {
+    constexpr double guess = 1.5;
+    const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
+    const std::size_t packs = static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / 4));
+    return std::clamp(4 * packs, std::min(least_order, most), most);
   }
 
   /// Whether the integrand is even about the lower end of ψ.
   bool is_even(const Cell<Real>& cell) const { return cell.psi_low == Real(0) && !(critical_ > Real(0)); }
 
-  /// The order whose error is about `tolerance`; a guess where the rate is not known.
-  /// @param degrees that a node adds to those that are exact
-  static std::size_t first_order(double rate, int degrees, double tolerance, std::size_t least,
-                                 std::size_t most) {
-    constexpr double guessed_rate = 0.8;
-    const double wanted =
-        std::log(1 / std::min(tolerance, 0.1)) / (degrees * (rate > 0 ? rate : guessed_rate));
-    return in_steps(static_cast<std::size_t>(std::min(wanted, 1e3)) + 1, least, most);
+  /// The variable along ψ; the rate holds for all θ'.
+  Convergence convergence_along(const Cell<Real>& cell) const {
+    if (!is_even(cell)) return {DrawnVariable(1), 0};
+    return cell.psi_high < pi<Real>() / Real(2) ? convergence_to(cell.psi_high) : whole_along_;
   }
 
-  static std::size_t raised(std::size_t order, std::size_t most) {
-    return in_steps(order + std::max<std::size_t>(2, order / 3), 0, most);
-  }
-
-  /// Even orders only: few rules are kept, and their nodes fill packs.
-  static std::size_t in_steps(std::size_t order, std::size_t least, std::size_t most) {
-    const std::size_t step = order > 16 ? 4 : 2;
-    return std::clamp((order + step - 1) / step * step, least, most);
-  }
-
-  /// The rate at which the series along ψ falls off at least, whatever θ'; 0 if unknown.
-  double rate_along(const Cell<Real>& cell) const {
-    if (!is_even(cell)) return 0;
-    double rate = std::numeric_limits<double>::infinity();
+  /// The variable from 0 to ψ.
+  Convergence convergence_to(const Real& psi) const {
+    if (singular_cosines_.empty()) return {DrawnVariable(1), 0};
+    std::vector<std::complex<double>> singularities;
     for (const std::complex<double>& cosine : singular_cosines_)
-      rate = std::min(rate, rate_drawn_to_ends(std::acos(cosine) / static_cast<double>(cell.psi_high)));
-    return singular_cosines_.empty() ? 0 : rate;
+      singularities.push_back(std::acos(cosine) / static_cast<double>(psi));
+    return best_variable(singularities);
   }
 
-  /// The same across; for the angles of incidence only the width of the cell counts, as if some began at
-  /// grazing.
-  Across variable_across(const Cell<Real>& cell) const {
-    if (singular_cosines_.empty()) return {critical_ > Real(0), 0};
+  /// The variable across; the rate holds for all ψ.
+  Convergence convergence_across(const Cell<Real>& cell) const {
+    if (singular_cosines_.empty()) return {DrawnVariable(critical_ > Real(0) ? 1 : 0), 0};
+    using std::cos;
+    using std::sin;
+    const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
     const double half = 0.5 * static_cast<double>(cell.theta_high - cell.theta_low);
-    double plain = std::numeric_limits<double>::infinity();
-    double drawn = plain;
+    std::vector<double> angles;
+    directional_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)},
+                            AngleRecorder<Real>{&angles}, most_bounces_);
+    std::vector<std::complex<double>> singularities;
     for (const std::complex<double>& cosine : singular_cosines_) {
-      const std::complex<double> angle = std::asin(cosine) / half;
-      const std::complex<double> nearest(
-          std::min(angle.real(), 0.0) - (angle.real() < 1 ? 1 - std::max(angle.real(), 0.0) : 0.0),
-          angle.imag());
-      plain = std::min(plain, convergence_rate(nearest));
-      drawn = std::min(drawn, rate_drawn_to_ends(nearest));
+      const std::complex<double> grazing = std::asin(cosine);
+      for (const double angle : angles) {
+        singularities.push_back((grazing - angle) / half);
+        singularities.push_back((std::numbers::pi - grazing - angle) / half);
+      }
     }
-    return drawn > plain ? Across{true, drawn} : Across{false, plain};
-  }
-
-  /// The rate of convergence in u, for a singularity at x = sin(πu/2).
-  static double rate_drawn_to_ends(const std::complex<double>& x) {
-    return convergence_rate(std::asin(x) / std::asin(1.0));
+    return best_variable(singularities);
   }
 
   /// The integral over a cell by rules of given orders, and its errors.
-  Estimate integrate(const Cell<Real>& cell, const Orders& orders, double along_rate, const Across& across) {
-    const Rule& rule = series_rule<Real, Symmetry::none>(orders.across);
-    const bool even = is_even(cell);
-    const Rule& along = even ? series_rule<Real, Symmetry::even>(orders.along)
-                             : series_rule<Real, Symmetry::none>(orders.along);
-    Sum sum;
+  Estimate integrate(const Cell<Real>& cell, std::size_t along_order, const Convergence& along,
+                     std::size_t across_order, const Convergence& across) {
+    using std::cos;
+    using std::sin;
+    const Rule& across_rule = series_rule<Real, Symmetry::none>(across_order);
+    const Rule& along_rule = is_even(cell) ? series_rule<Real, Symmetry::even>(along_order)
+                                           : series_rule<Real, Symmetry::none>(along_order);
+    const bool in_pieces = critical_ > Real(0);
+    if (!in_pieces) {
+      nodes_.clear();
+      add_nodes(along_rule, along.variable, is_even(cell) ? Real(-cell.psi_high) : cell.psi_low,
+                cell.psi_high);
+    }
+    const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
+    const Real half = (cell.theta_high - cell.theta_low) / Real(2);
+    Sum<Value> sum;
     Series series_along;
-    for (const auto& node : rule.nodes) {
-      const Position at = position(node.x, cell.theta_low, cell.theta_high, across.drawn_to_ends);
+    for (const auto& node : across_rule.nodes) {
+      const auto [x, slope] = across.variable.at(node.x);
+      const Real theta = middle + half * x;
+      const Real sin_theta = sin(theta);
+      const Real cos_theta = cos(theta);
+      const Real scale = half * slope * cos_theta;
       Value inner(0);
-      add_along(inner, series_along, cell, at.angle, along, even, node.weight * at.slope);
-      std::array<Scalar, Rule::terms> projection;
-      for (std::size_t i = 0; i < Rule::terms; ++i)
-        projection[i] = static_cast<Scalar>(node.projection[i] * at.slope);
-      sum.add(inner, static_cast<Scalar>(node.weight * at.slope), projection);
+      if (in_pieces) {
+        const std::vector<Real> pieces = smooth_pieces(cell, {Real(0), sin_theta, cos_theta});
+        for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+          nodes_.clear();
+          add_nodes(along_rule, along.variable, pieces[i], pieces[i + 1]);
+          inner = inner + integrate_along(series_along, node.weight * scale, sin_theta, cos_theta);
+        }
+      } else {
+        inner = integrate_along(series_along, node.weight * scale, sin_theta, cos_theta);
+      }
+      std::array<Real, Rule::terms> projection;
+      for (std::size_t i = 0; i < Rule::terms; ++i) projection[i] = node.projection[i] * scale;
+      sum.add(inner, Real(node.weight * scale), projection);
     }
     Series series_across;
     series_across.add(sum, Real(1));
     const double noise = static_cast<double>(rounding(sum.integral));
-    return {sum.integral, series_along.error(along, along_rate, noise),
-            series_across.error(rule, across.rate, noise)};
+    return {sum.integral, series_along.error(along_rule, along.rate, noise),
+            series_across.error(across_rule, across.rate, noise)};
   }
 
-  /// Adds cos θ' times the integral of R(e) cos²ψ over the range of ψ of the cell.
-  /// @param scale weight of the angle θ'
-  void add_along(Value& integral, Series& series, const Cell<Real>& cell, const Real& theta, const Rule& rule,
-                 bool even, const Real& scale) {
+  /// Adds the nodes of a rule from ψ = low to high to `nodes_`, with cos²ψ in their weights.
+  void add_nodes(const Rule& rule, const DrawnVariable& variable, const Real& low, const Real& high) {
     using std::cos;
     using std::sin;
-    const Real sin_theta = sin(theta);
-    const Real cos_theta = cos(theta);
-    const std::vector<Real> pieces = smooth_pieces(cell, {Real(0), sin_theta, cos_theta});
-    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-      Sum sum;
-      const Real low = even ? -pieces[i + 1] : pieces[i];
-      for (std::size_t start = 0; start < rule.nodes.size(); start += lanes)
-        add_nodes(sum, rule, start, low, pieces[i + 1], sin_theta, cos_theta);
-      integral = integral + sum.integral;
-      series.add(sum, scale);
-    }
-  }
-
-  /// Adds up to `lanes` nodes of a rule along ψ.
-  void add_nodes(Sum& sum, const Rule& rule, std::size_t start, const Real& low, const Real& high,
-                 const Real& sin_theta, const Real& cos_theta) {
-    using std::cos;
-    using std::sin;
-    const std::size_t count = std::min(lanes, rule.nodes.size() - start);
-    std::array<Real, lanes> sines, cosines, factors;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const std::size_t index = start + std::min(i, count - 1);
-      const Position at = position(rule.nodes[index].x, low, high, true);
-      sines[i] = sin(at.angle);
-      cosines[i] = cos(at.angle);
-      factors[i] = cos_theta * cosines[i] * cosines[i] * at.slope;
-    }
-    std::array<Value, lanes> values;
-    if constexpr (in_packs()) {
-      const Pack cos_psi(cosines);
-      const auto facet = facet_.template over_directions<lanes>();
-      const CountedFacet<decltype(facet)> counted{facet, &evaluations_, static_cast<int>(count)};
-      const Pack reflectances = unpolarized(
-          directional_reflectance(cavity_, Vec3<Pack>{Pack(sines), sin_theta * cos_psi, cos_theta * cos_psi},
-                                  counted, most_bounces_));
-      std::copy(reflectances.begin(), reflectances.end(), values.begin());
-    } else {
-      const CountedFacet<Facet> counted{facet_, &evaluations_, 1};
-      for (std::size_t i = 0; i < count; ++i)
-        values[i] = unpolarized(directional_reflectance(
-            cavity_, Vec3<Real>{sines[i], cosines[i] * sin_theta, cosines[i] * cos_theta}, counted,
-            most_bounces_));
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& node = rule.nodes[start + i];
-      std::array<Scalar, Rule::terms> projection;
-      for (std::size_t term = 0; term < Rule::terms; ++term)
-        projection[term] = static_cast<Scalar>(node.projection[term] * factors[i]);
-      sum.add(values[i], static_cast<Scalar>(node.weight * factors[i]), projection);
-    }
-  }
-
-  /// An angle, and its derivative after the variable of integration.
-  struct Position {
-    Real angle;
-    Real slope;
-  };
-
-  /// @param u in [−1, 1]
-  static Position position(const Real& u, const Real& low, const Real& high, bool drawn_to_ends) {
-    using std::cos;
-    using std::sin;
+    const Real middle = (low + high) / Real(2);
     const Real half = (high - low) / Real(2);
-    if (!drawn_to_ends) return {low + half * (Real(1) + u), half};
-    const Real quarter_turn = pi<Real>() / Real(2);
-    return {low + half * (Real(1) + sin(quarter_turn * u)), half * quarter_turn * cos(quarter_turn * u)};
+    for (std::size_t start = 0; start < rule.nodes.size(); start += lanes) {
+      AlongNode node{};
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const auto& [u, weight, projection] = rule.nodes[start + lane];
+        const auto [x, slope] = variable.at(u);
+        const Real psi = middle + half * x;
+        const Real cosine = cos(psi);
+        const Real factor = half * slope * cosine * cosine;
+        component(node.sine, lane) = sin(psi);
+        component(node.cosine, lane) = cosine;
+        component(node.weight, lane) = factor * weight;
+        for (std::size_t i = 0; i < Rule::terms; ++i)
+          component(node.projection[i], lane) = factor * projection[i];
+      }
+      nodes_.push_back(node);
+    }
+  }
+
+  /// The integral of R(e) cos²ψ over the nodes along ψ.
+  /// @param weight of the angle θ' in the whole
+  Value integrate_along(Series& series, const Real& weight, const Real& sin_theta, const Real& cos_theta) {
+    Sum<Values> sum;
+    for (const AlongNode& node : nodes_)
+      sum.add(reflectance({node.sine, sin_theta * node.cosine, cos_theta * node.cosine}), node.weight,
+              node.projection);
+    series.add(sum, weight);
+    return total(sum.integral);
+  }
+
+  Values reflectance(const Vec3<Reals>& e) {
+    if constexpr (in_packs()) {
+      const auto facet = facet_.template over_directions<lanes>();
+      const CountedFacet<decltype(facet)> counted{facet, &evaluations_, static_cast<int>(lanes)};
+      return unpolarized(directional_reflectance(cavity_, e, counted, most_bounces_));
+    } else {
+      return unpolarized(
+          directional_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1}, most_bounces_));
+    }
+  }
+
+  static Real& component(Reals& values, std::size_t lane) {
+    if constexpr (in_packs())
+      return values[lane];
+    else
+      return values;
+  }
+
+  /// The sum over the directions of a pack.
+  template <class Addend>
+  static Value total(const Addend& values) {
+    if constexpr (in_packs() && !std::is_same_v<Addend, Value>)
+      return std::accumulate(values.begin(), values.end(), Value(0));
+    else
+      return values;
   }
 
   /// The range of ψ of the cell, cut where some bounce is at the critical angle.
@@ -430,7 +449,6 @@ class HemisphereQuadrature {
   std::vector<Real> smooth_pieces(const Cell<Real>& cell, const Vec3<Real>& e) const {
     using std::acos;
     std::vector<Real> pieces{cell.psi_low, cell.psi_high};
-    if (!(critical_ > Real(0))) return pieces;
     for (const Panel first : {Panel::one, Panel::two}) {
       PanelImages<Real> images(cavity_, e, first);
       for (; images.bounce() <= cavity_.max_bounces(); images.advance()) {
@@ -452,7 +470,9 @@ class HemisphereQuadrature {
   const Facet& facet_;
   int most_bounces_;
   Real critical_;
-  std::vector<std::complex<double>> singular_cosines_;  // known, and away from the cosines in [0, 1]
+  std::vector<std::complex<double>> singular_cosines_;  // known, and none of them in [0, 1]
+  Convergence whole_along_;                             // from ψ = 0 to π/2
+  std::vector<AlongNode> nodes_;
   long long evaluations_ = 0;
 };
 

@@ -31,7 +31,7 @@ Panel facing_panel(const Vec3<Real>& e) {
 
 /// The same for a pack of directions, all with e.y ≥ 0; mirror the others.
 template <class Real>
-Panel facing_panel(const Vec3<Real>& e) {
+Panel facing_panel([[maybe_unused]] const Vec3<Real>& e) {
   assert(!any_positive(-e.y));
   return Panel::one;
 }
