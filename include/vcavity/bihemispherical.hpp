@@ -10,9 +10,14 @@
 /// the integrand being even in both angles. It is smooth except at angles θ' that are known beforehand, where
 /// a lobe appears or its weight changes slope, and where a cosine of incidence passes the critical angle of
 /// the facet, if it has one. The square is cut there, and Gauss–Legendre quadrature on the pieces converges
-/// exponentially. Its order rises until two orders agree; a cell on which they never do is halved.
+/// exponentially. Its order is the one that the
+/// singularities of the facet ask for; it rises until the Legendre series of the integrand has fallen off,
+/// and a cell on which it never does is halved.
 ///
 /// When not to use it: for a facet reflectance with steps or kinks of its own it still converges, but slowly.
+/// And where n < 1 with hardly any absorption (0 < k < 0.01, as in the extreme ultraviolet), the reflectance
+/// changes within so small an angle beside the critical one that the quadrature can miss it: the error
+/// estimate may then be too small.
 
 #include <algorithm>
 #include <array>
@@ -28,6 +33,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "pack.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
 
@@ -36,8 +42,9 @@ namespace vcavity {
 /// An integral, and how it was obtained.
 template <class Value>
 struct Integral {
-  Value value;            ///< the integral
-  scalar_t<Value> error;  ///< estimate of the absolute error, from the agreement of two quadrature orders
+  Value value;  ///< the integral
+  scalar_t<Value>
+      error;  ///< estimate of the absolute error, from the fall of the Legendre series of the integrand
   long long evaluations;  ///< number of evaluations of the facet reflectance
 };
 
@@ -125,12 +132,14 @@ struct CountedFacet {
 template <class Real>
 struct AngleRecorder {
   Real operator()(const PanelImages<Real>& bounce) const {
-    angles->push_back(std::atan2(static_cast<double>(bounce.normal_component()),
-                                 static_cast<double>(bounce.tangent_component())));
+    angles.push_back(std::atan2(static_cast<double>(bounce.normal_component()),
+                                static_cast<double>(bounce.tangent_component())));
+    most_bounces = std::max(most_bounces, bounce.bounce());
     return Real(1);
   }
 
-  std::vector<double>* angles;
+  mutable std::vector<double> angles;
+  mutable int most_bounces = 0;
 };
 
 /// A rectangle of the square of directions.
@@ -218,9 +227,11 @@ class HemisphereQuadrature {
     }
 
     /// The error of a rule.
-    /// @param known_rate at which the series falls off, 0 if unknown
+    /// @param known_rate rate at which the series falls off in the end, 0 if unknown
+    /// @param multiplicity of the singularities: with a pole of order p the terms fall off like k^(p − 1)
+    /// exp(−rate k)
     /// @param noise rounding error of the coefficients
-    double error(const Rule& rule, double known_rate, double noise) const {
+    double error(const Rule& rule, double known_rate, int multiplicity, double noise) const {
       constexpr double safety = 4;
       const double middle = std::max(sizes[0], sizes[1]);
       const double last = std::max(sizes[2], sizes[3]);
@@ -228,7 +239,9 @@ class HemisphereQuadrature {
       const double observed =
           std::max(std::log(middle / last) / (rule.last_degree - rule.middle_degree), 0.0);
       const double rate = known_rate > 0 ? std::min(known_rate, observed) : 0.5 * observed;
-      return safety * last * std::exp(-rate * (rule.exact_degree + 1 - rule.last_degree));
+      const double missed_degree = rule.exact_degree + 1;
+      return safety * last * std::pow(missed_degree / rule.last_degree, multiplicity - 1) *
+             std::exp(-rate * (missed_degree - rule.last_degree));
     }
   };
 
@@ -247,14 +260,17 @@ class HemisphereQuadrature {
   /// Adds the integral over one cell, halved along the angle in which the highest order does not suffice.
   void add(Integral<Value>& total, const Cell<Real>& cell, const Scalar& tolerance, int halvings) {
     const Convergence along = convergence_along(cell);
-    const Convergence across = convergence_across(cell);
+    const AngleRecorder<Real> bounces = bounces_in(cell);
+    const Convergence across = convergence_across(cell, bounces.angles);
     const int degrees_along = is_even(cell) ? 4 : 2;  // made exact by each node
     constexpr int degrees_across = 2;
     const double half_tolerance = 0.5 * static_cast<double>(tolerance);
-    std::size_t along_order = order_for(half_tolerance, degrees_along * along.rate, most_along);
+    const int multiplicity = 2 * bounces.most_bounces;  // of the pole of r_p² next to grazing
+    std::size_t along_order = order_for(half_tolerance * std::exp2(-std::min(multiplicity, 6)),
+                                        degrees_along * along.rate, most_along);
     std::size_t across_order = order_for(half_tolerance, degrees_across * across.rate, most_across);
     for (;;) {
-      const Estimate estimate = integrate(cell, along_order, along, across_order, across);
+      const Estimate estimate = integrate(cell, along_order, along, multiplicity, across_order, across);
       const double enough = std::max(half_tolerance, static_cast<double>(rounding(estimate.value)));
       const bool along_converged = estimate.along_error <= enough;
       const bool across_converged = estimate.across_error <= enough;
@@ -279,11 +295,11 @@ class HemisphereQuadrature {
         return;
       }
       if (!along_converged)
-        along_order +=
-            order_for(enough / estimate.along_error, degrees_along * along.rate, most_along - along_order);
+        along_order =
+            raised(along_order, enough / estimate.along_error, degrees_along * along.rate, most_along);
       if (!across_converged)
-        across_order += order_for(enough / estimate.across_error, degrees_across * across.rate,
-                                  most_across - across_order);
+        across_order =
+            raised(across_order, enough / estimate.across_error, degrees_across * across.rate, most_across);
     }
   }
 
@@ -295,6 +311,12 @@ class HemisphereQuadrature {
     const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
     const std::size_t packs = static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / 4));
     return std::clamp(4 * packs, std::min(least_order, most), most);
+  }
+
+  /// The next order to try; a little higher where the rate is not known.
+  static std::size_t raised(std::size_t order, double factor, double rate, std::size_t most) {
+    const std::size_t wanted = rate > 0 ? order_for(factor, rate, most) : (order + 15) / 16 * 4;
+    return std::min(order + wanted, most);
   }
 
   /// Whether the integrand is even about the lower end of ψ.
@@ -316,15 +338,10 @@ class HemisphereQuadrature {
   }
 
   /// The variable across; the rate holds for all ψ.
-  Convergence convergence_across(const Cell<Real>& cell) const {
+  /// @param angles between the light and the panels in the middle of the cell
+  Convergence convergence_across(const Cell<Real>& cell, const std::vector<double>& angles) const {
     if (singular_cosines_.empty()) return {DrawnVariable(critical_ > Real(0) ? 1 : 0), 0};
-    using std::cos;
-    using std::sin;
-    const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
     const double half = 0.5 * static_cast<double>(cell.theta_high - cell.theta_low);
-    std::vector<double> angles;
-    directional_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)},
-                            AngleRecorder<Real>{&angles}, most_bounces_);
     std::vector<std::complex<double>> singularities;
     for (const std::complex<double>& cosine : singular_cosines_) {
       const std::complex<double> grazing = std::asin(cosine);
@@ -336,9 +353,19 @@ class HemisphereQuadrature {
     return best_variable(singularities);
   }
 
+  /// The bounces of the directions of a cell.
+  AngleRecorder<Real> bounces_in(const Cell<Real>& cell) const {
+    using std::cos;
+    using std::sin;
+    const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
+    AngleRecorder<Real> recorder;
+    directional_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)}, recorder, most_bounces_);
+    return recorder;
+  }
+
   /// The integral over a cell by rules of given orders, and its errors.
   Estimate integrate(const Cell<Real>& cell, std::size_t along_order, const Convergence& along,
-                     std::size_t across_order, const Convergence& across) {
+                     int multiplicity, std::size_t across_order, const Convergence& across) {
     using std::cos;
     using std::sin;
     const Rule& across_rule = series_rule<Real, Symmetry::none>(across_order);
@@ -378,8 +405,8 @@ class HemisphereQuadrature {
     Series series_across;
     series_across.add(sum, Real(1));
     const double noise = static_cast<double>(rounding(sum.integral));
-    return {sum.integral, series_along.error(along_rule, along.rate, noise),
-            series_across.error(across_rule, across.rate, noise)};
+    return {sum.integral, series_along.error(along_rule, along.rate, multiplicity, noise),
+            series_across.error(across_rule, across.rate, 2, noise)};
   }
 
   /// Adds the nodes of a rule from ψ = low to high to `nodes_`, with cos²ψ in their weights.
