@@ -158,7 +158,7 @@ struct Cell {
 /// The first order tried is the one that the singularities of the facet ask for. Then the Legendre series of
 /// the integrand is looked at: its last known terms, and the rate at which they fall off, tell how large are
 /// those that the rule misses. The rate is the smaller one of those observed and derived from the
-/// singularities, or half the observed one where these are not known.
+/// singularities, or a third of the observed one where these are not known.
 template <class Real, class Facet>
 class HemisphereQuadrature {
  public:
@@ -201,6 +201,7 @@ class HemisphereQuadrature {
 
   static constexpr std::size_t least_order = 4, most_along = 64, most_across = 40;
   static constexpr int most_halvings = 40;  // of one cell
+  static constexpr int most_parts = 64;     // of a range of ψ between two critical angles
   static constexpr long long most_evaluations = 50'000'000;
 
   /// A sum of values, and of the terms of the Legendre series with them.
@@ -238,7 +239,7 @@ class HemisphereQuadrature {
       if (last <= noise * rule.last_degree) return 0;
       const double observed =
           std::max(std::log(middle / last) / (rule.last_degree - rule.middle_degree), 0.0);
-      const double rate = known_rate > 0 ? std::min(known_rate, observed) : 0.5 * observed;
+      const double rate = known_rate > 0 ? std::min(known_rate, observed) : observed / 3;
       const double missed_degree = rule.exact_degree + 1;
       return safety * last * std::pow(missed_degree / rule.last_degree, multiplicity - 1) *
              std::exp(-rate * (missed_degree - rule.last_degree));
@@ -269,8 +270,10 @@ class HemisphereQuadrature {
     std::size_t along_order = order_for(half_tolerance * std::exp2(-std::min(multiplicity, 6)),
                                         degrees_along * along.rate, most_along);
     std::size_t across_order = order_for(half_tolerance, degrees_across * across.rate, most_across);
+    int parts = 1;
     for (;;) {
-      const Estimate estimate = integrate(cell, along_order, along, multiplicity, across_order, across);
+      const Estimate estimate =
+          integrate(cell, along_order, along, multiplicity, parts, across_order, across);
       const double enough = std::max(half_tolerance, static_cast<double>(rounding(estimate.value)));
       const bool along_converged = estimate.along_error <= enough;
       const bool across_converged = estimate.across_error <= enough;
@@ -282,6 +285,10 @@ class HemisphereQuadrature {
         return;
       }
       const Scalar half = tolerance / Scalar(2);
+      if (!along_converged && along_order >= most_along && is_cut() && parts < most_parts) {
+        parts *= 2;  // halving the cell would add kinks, where the cuts cross its middle
+        continue;
+      }
       if (!along_converged && along_order >= most_along) {
         const Real middle = (cell.psi_low + cell.psi_high) / Real(2);
         add(total, {cell.theta_low, cell.theta_high, cell.psi_low, middle}, half, halvings + 1);
@@ -319,8 +326,11 @@ class HemisphereQuadrature {
     return std::min(order + wanted, most);
   }
 
+  /// Whether ψ is cut at critical angles.
+  bool is_cut() const { return critical_ > Real(0); }
+
   /// Whether the integrand is even about the lower end of ψ.
-  bool is_even(const Cell<Real>& cell) const { return cell.psi_low == Real(0) && !(critical_ > Real(0)); }
+  bool is_even(const Cell<Real>& cell) const { return cell.psi_low == Real(0) && !is_cut(); }
 
   /// The variable along ψ; the rate holds for all θ'.
   Convergence convergence_along(const Cell<Real>& cell) const {
@@ -365,14 +375,13 @@ class HemisphereQuadrature {
 
   /// The integral over a cell by rules of given orders, and its errors.
   Estimate integrate(const Cell<Real>& cell, std::size_t along_order, const Convergence& along,
-                     int multiplicity, std::size_t across_order, const Convergence& across) {
+                     int multiplicity, int parts, std::size_t across_order, const Convergence& across) {
     using std::cos;
     using std::sin;
     const Rule& across_rule = series_rule<Real, Symmetry::none>(across_order);
     const Rule& along_rule = is_even(cell) ? series_rule<Real, Symmetry::even>(along_order)
                                            : series_rule<Real, Symmetry::none>(along_order);
-    const bool in_pieces = critical_ > Real(0);
-    if (!in_pieces) {
+    if (!is_cut()) {
       nodes_.clear();
       add_nodes(along_rule, along.variable, is_even(cell) ? Real(-cell.psi_high) : cell.psi_low,
                 cell.psi_high);
@@ -388,12 +397,16 @@ class HemisphereQuadrature {
       const Real cos_theta = cos(theta);
       const Real scale = half * slope * cos_theta;
       Value inner(0);
-      if (in_pieces) {
+      if (is_cut()) {
         const std::vector<Real> pieces = smooth_pieces(cell, {Real(0), sin_theta, cos_theta});
         for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-          nodes_.clear();
-          add_nodes(along_rule, along.variable, pieces[i], pieces[i + 1]);
-          inner = inner + integrate_along(series_along, node.weight * scale, sin_theta, cos_theta);
+          const Real width = (pieces[i + 1] - pieces[i]) / Real(parts);
+          for (int part = 0; part < parts; ++part) {
+            nodes_.clear();
+            add_nodes(along_rule, along.variable, pieces[i] + Real(part) * width,
+                      pieces[i] + Real(part + 1) * width);
+            inner = inner + integrate_along(series_along, node.weight * scale, sin_theta, cos_theta);
+          }
         }
       } else {
         inner = integrate_along(series_along, node.weight * scale, sin_theta, cos_theta);
