@@ -35,11 +35,9 @@ MapPlan plan_reflectance(MapRequest request, double tolerance) {
   return {std::move(request), in_words(plan), plan.bounds.total()};
 }
 
-// Bound on the rounding error in any direction, at the worst of the wavelengths. Numbers of bounces have
-// none.
+// Bound on the rounding error in any direction, at the worst of the wavelengths.
 double largest_rounding(const MapRequest& request) {
   double bound = 0;
-  if (request.quantity == Quantity::bounces) return bound;
   const Cavity<double> cavity(radians(request.aperture_deg));
   for (const double wavelength_nm : request.wavelengths_nm) {
     const RefractiveIndex index = request.material.at(wavelength_nm);
@@ -139,9 +137,8 @@ std::string in_words(const EffectsPlan& plan) {
 }
 
 MapPlan plan_precision(MapRequest request, double tolerance, ExrNumber stored) {
-  if (request.quantity == Quantity::degree_of_polarization)
-    throw UsageError(
-        "--tolerance: bounds the error of the reflectance or absorptance, not of --quantity dop");
+  if (request.quantity != Quantity::reflectance && request.quantity != Quantity::absorptance)
+    throw UsageError("--tolerance: bounds the error of --quantity reflectance or absorptance, not of others");
   MapPlan plan{std::move(request), "", 0};
   const double stored_rounding = std::ldexp(1, stored == ExrNumber::float16 ? -12 : -25);
   for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
@@ -152,11 +149,9 @@ MapPlan plan_precision(MapRequest request, double tolerance, ExrNumber stored) {
     plan.explanation += bound_in_words(plan.bound);
     return plan;
   }
-  throw UsageError(
-      "--tolerance: '" + exact(tolerance) +
-      "' is not accepted, expected no less than rounding of the numbers and of their storage may "
-      "cause, " +
-      with_digits(plan.bound, 2));
+  throw UsageError("--tolerance: '" + exact(tolerance) + "' is not accepted, expected at least " +
+                   with_digits(plan.bound, 2) +
+                   ", which rounding of the numbers and their storage may reach");
 }
 
 MapPlan plan_map(MapRequest request, double tolerance) {

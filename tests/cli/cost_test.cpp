@@ -8,13 +8,6 @@ namespace {
 
 const std::string cost = "cost --material 0.1249+3.3391i --aperture 60";
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// The cells of a row of a Markdown table.
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> result;

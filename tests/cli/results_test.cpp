@@ -33,13 +33,6 @@ Vec3<double> vector_of(const json& array) {
   return {array[0], array[1], array[2]};
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
 
 TEST_CASE("JSON of a table has a row for each aperture with every digit of the library") {

@@ -20,14 +20,24 @@ std::string in_words(const Interval& interval) {
   return text;
 }
 
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
   for (;;) {
     const auto end = text.find(separator);
-    parts.emplace_back(text.substr(0, end));
+    parts.push_back(text.substr(0, end));
     if (end == text.npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+/// \param value   a double, or an optional one
+template <class Value>
+CLI::Option* add_checked_number(CLI::App& command, const std::string& name, Value& value,
+                                const Interval& interval, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
+      help);
 }
 
 }  // namespace
@@ -65,7 +75,7 @@ std::vector<double> checked_range(std::string_view words, std::string_view optio
 std::vector<double> checked_numbers(std::string_view words, std::string_view option,
                                     const Interval& interval) {
   std::vector<double> values;
-  for (const std::string& part : split(words, ',')) {
+  for (const std::string_view part : split(words, ',')) {
     if (part.find(':') == part.npos) {
       values.push_back(checked_number(part, option, interval));
     } else {
@@ -78,18 +88,12 @@ std::vector<double> checked_numbers(std::string_view words, std::string_view opt
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const Interval& interval,
                         const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
-      help);
+  return add_checked_number(command, name, value, interval, help);
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const Interval& interval, const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
-      help);
+  return add_checked_number(command, name, value, interval, help);
 }
 
 CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
