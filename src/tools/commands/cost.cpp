@@ -82,9 +82,10 @@ TextTable table_of(const std::vector<CostSection>& sections, Length length) {
   return table;
 }
 
-void print_markdown(const std::vector<CostSection>& sections, const std::string& what,
-                    const Material& material, Length length) {
-  std::cout << "What accuracy costs: " << what << "\n\n" << to_markdown(table_of(sections, length)) << '\n';
+void print_markdown(const std::vector<CostSection>& sections, const Material& material,
+                    const std::string& groove, Length length) {
+  std::cout << "What accuracy costs: " << material.name() << ", " << groove << "\n\n"
+            << to_markdown(table_of(sections, length)) << '\n';
   for (const CostSection& section : sections)
     std::cout << "- " << section.title << ": " << section.error << '\n';
   std::cout << "- speed-up: over the midpoint rule, its time extrapolated to the same error\n";
@@ -120,15 +121,15 @@ void print_json(const std::vector<CostSection>& sections, nlohmann::ordered_json
 }
 
 /// Error against time, one line for each method.
-Plot plot_of(const CostSection& section, const std::string& what, const Material& material) {
+Plot plot_of(const CostSection& section, const std::string& what) {
   // Errors below the rounding of the value are all the same.
   constexpr double rounding = 1e-16;
   Plot plot;
   plot.title = section.title + ": error against time";
   plot.x = {"time in seconds, median of repeats", Axis::Scale::logarithmic, std::nullopt};
   plot.y = {section.error, Axis::Scale::logarithmic, std::nullopt};
-  plot.footnote = what + ". " + in_one_line(material) +
-                  ". Errors below 1e-16, the rounding of the result, are drawn there.";
+  plot.footnote = what + ". Errors below 1e-16, the rounding of the result, are drawn there. " + software() +
+                  ", " + command_line();
   for (const Measurement& row : section.rows) {
     if (plot.series.empty() || plot.series.back().name != row.method)
       plot.series.push_back({row.method, {}, {}});
@@ -152,11 +153,11 @@ void run_cost(const CostOptions& options) {
       !wavelengths.rows.empty())
     sections.push_back(std::move(wavelengths));
 
-  const std::string what = material.name() + ", n = " + exact(index.n) + ", k = " + exact(index.k) +
-                           ", aperture " + exact(options.aperture_deg) + "°";
+  const std::string groove =
+      "n = " + exact(index.n) + ", k = " + exact(index.k) + ", aperture " + exact(options.aperture_deg) + "°";
   if (!options.plot.empty()) {
     AtomicFile file(options.plot);
-    write_plot(file, plot_of(sections.front(), what, material));
+    write_plot(file, plot_of(sections.front(), in_one_line(material) + ", " + groove));
     file.commit();
   }
   if (options.format == Format::json) {
@@ -171,7 +172,7 @@ void run_cost(const CostOptions& options) {
   } else if (options.format == Format::csv) {
     print_csv(sections, provenance_lines(material));
   } else {
-    print_markdown(sections, what, material, options.length);
+    print_markdown(sections, material, groove, options.length);
   }
 }
 
