@@ -189,7 +189,7 @@ inline Complex<double> complex_contrast(double contrast) {
 /// model of polarisation.
 /// @tparam Real the number type that it is computed with
 /// @param facet facet with a contrast, such as `Conductor` or `Dielectric`
-/// @return at most 1; for double some 1e-15, but up to 1e-4 where there is a critical angle
+/// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
 template <class Real, class Facet>
 double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
   return detail::rounding_bound(cavity, detail::complex_contrast(facet.contrast()),

@@ -111,6 +111,18 @@ TEST_CASE("JSON of a direction has every digit of the library") {
   CHECK(vector_of(ray["direction"]) == ray_exit_direction(cavity, e, path));
 }
 
+TEST_CASE("JSON of a direction has the absorptance of the model that was asked for") {
+  const Cavity<double> cavity(radians(45.0));
+  const auto e = vcavity::direction(radians(30.0), radians(20.0));
+  const auto absorptance = [](const std::string& model) {
+    return result_of("direction --material 0.1249+3.3391i --aperture 45 --theta 30 --phi 20 --polarization " +
+                     model)["absorptance"];
+  };
+  CHECK(absorptance("full") == unpolarized(directional_absorptance(cavity, e, polarized(silver))));
+  CHECK(absorptance("separate") ==
+        unpolarized(directional_absorptance(cavity, e, separately_polarized(silver))));
+}
+
 TEST_CASE("a ray is told only where a position is given") {
   CHECK_FALSE(result_of("direction --material 1.5 --aperture 60 --theta 10 --phi 0").contains("ray"));
 }
