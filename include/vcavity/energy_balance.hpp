@@ -26,7 +26,7 @@ struct EnergyBalance {
       : reflected(reflected_part), absorbed(absorbed_part) {}
 
   /// 1: all reflected. 0: no light at all.
-  explicit EnergyBalance(int light) : reflected(Value(static_cast<value_type>(light))), absorbed(Value(0)) {}
+  explicit EnergyBalance(int light) : reflected(light == 0 ? Value(0) : Value(1)), absorbed(Value(0)) {}
 
   friend EnergyBalance operator*(const EnergyBalance& first, const EnergyBalance& second) {
     return {first.reflected * second.reflected, first.absorbed + first.reflected * second.absorbed};

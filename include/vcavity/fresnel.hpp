@@ -44,6 +44,13 @@ struct Amplitudes {
   Complex<Value> r_p;  ///< electric field in the plane of incidence; equals r_s at normal incidence
 };
 
+/// Absorptances, or transmittances into a transparent medium, of s and of p light.
+template <class Value>
+struct Absorptances {
+  Value s;  ///< 1 − |r_s|²
+  Value p;  ///< 1 − |r_p|², never less
+};
+
 /// What a facet of values `Value` takes for the cosine of the angle of incidence: a number, or a value with
 /// an angle for each of its components.
 template <class Cosine, class Value>
@@ -247,10 +254,18 @@ class Conductor {
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
   Value absorptance(const Cosine& cos_theta_i) const {
+    const Absorptances<Value> part = absorptances(cos_theta_i);
+    return Real(0.5) * (part.s + part.p);
+  }
+
+  /// The same for s and for p light.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Absorptances<Value> absorptances(const Cosine& cos_theta_i) const {
     const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
-    const Value a_s = Real(4) * (wave.c * wave.w.re) / wave.sum_norm();
+    const Value s = Real(4) * (wave.c * wave.w.re) / wave.sum_norm();
     const Value ratio = (wave.w_norm + wave.s2) / wave.parallel_sum_norm();
-    return at_most(Value(Real(0.5) * (a_s * (Value(1) + ratio))), Real(1));
+    return {at_most(s, Real(1)), at_most(Value(s * ratio), Real(1))};
   }
 
   /// Amplitudes r_s and r_p.
@@ -336,12 +351,22 @@ class Dielectric {
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
   Value absorptance(const Cosine& cos_theta_i) const {
+    const Absorptances<Value> part = absorptances(cos_theta_i);
+    return Real(0.5) * (part.s + part.p);
+  }
+
+  /// The same for s and for p light.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Absorptances<Value> absorptances(const Cosine& cos_theta_i) const {
     const Wave wave(permittivity_, contrast_, cos_theta_i);
     const Value parallel_sum = wave.cw + wave.s2;
-    const Value t_s = Real(4) * wave.cw / wave.sum_norm();
+    const Value s = Real(4) * wave.cw / wave.sum_norm();
     const Value ratio = (wave.w * wave.w + wave.s2) / (parallel_sum * parallel_sum);
-    const Value transmittance = Real(0.5) * (t_s * (Value(1) + ratio));
-    return select_nonnegative(wave.w2, at_most(transmittance, Real(1)), Value(0));
+    const auto refracted = [&wave](const Value& part) {
+      return select_nonnegative(wave.w2, at_most(part, Real(1)), Value(0));
+    };
+    return {refracted(s), refracted(Value(s * ratio))};
   }
 
   /// Amplitudes r_s and r_p; complex in total reflection.

@@ -187,6 +187,17 @@ inline Complex<double> complex_contrast(double contrast) {
 
 }  // namespace detail
 
+/// Bound on the absolute rounding error of a directional reflectance or absorptance, in any direction and any
+/// model of polarisation.
+/// @tparam Real the number type that it is computed with
+/// @param facet facet with a contrast, such as `Conductor` or `Dielectric`
+/// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
+template <class Real, class Facet>
+double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
+  return detail::rounding_bound(cavity, detail::complex_contrast(facet.contrast()),
+                                static_cast<double>(std::numeric_limits<Real>::epsilon()));
+}
+
 /// The cheapest plan for a groove of one facet material.
 ///
 /// The tolerance is shared equally among polarisation, bounces, rounding and, for diffuse light, quadrature.
@@ -220,11 +231,9 @@ EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, doubl
     plan.bounds.bounces = errors[most - 1];
     break;
   }
-  const Complex<double> contrast = detail::complex_contrast(facet.contrast());
-  const auto rounding = [&](double epsilon) { return detail::rounding_bound(cavity, contrast, epsilon); };
-  plan.bounds.rounding = rounding(std::numeric_limits<float>::epsilon());
+  plan.bounds.rounding = rounding_bound<float>(cavity, facet);
   plan.single_precision = plan.bounds.rounding <= share;
-  if (!plan.single_precision) plan.bounds.rounding = rounding(std::numeric_limits<double>::epsilon());
+  if (!plan.single_precision) plan.bounds.rounding = rounding_bound<double>(cavity, facet);
   return plan;
 }
 

@@ -96,6 +96,17 @@ class SeparatelyPolarized {
     return SeparatePolarizations(norm(amplitudes.r_s), norm(amplitudes.r_p));
   }
 
+  /// What is not reflected of either.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Real>
+  auto absorptance(const Real& cos_theta_i) const requires requires(const Facet& facet) {
+    facet.absorptances(cos_theta_i);
+  }
+  {
+    const auto [s, p] = facet_.absorptances(cos_theta_i);
+    return SeparatePolarizations(s, p);
+  }
+
   /// That of the facet.
   auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
   { return facet_.critical_cosine(); }
@@ -115,6 +126,30 @@ class SeparatelyPolarized {
   Facet facet_;
 };
 
+/// The plane of incidence of a bounce as the matrix p̂ p̂ᵀ, in the axes of the incident light.
+/// @tparam Real number type of a component, or a `Pack` of them: as many directions at once
+template <class Real>
+struct IncidencePlane {
+  Real aa, ab, bb;
+
+  /// Next to 0 where there is no such plane, as at normal incidence; nothing depends on it then.
+  explicit IncidencePlane(const PanelImages<Real>& bounce) {
+    Real p_a = bounce.along_component() * bounce.normal_component();
+    Real p_b = bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
+    // Almost along the groove both are so small that their squares would vanish; only their ratio counts.
+    constexpr auto inverse_of = [](const Real& x) {
+      return Real(Real(1) / at_least(x, smallest_divisor<scalar_t<Real>>()));
+    };
+    const Real inverse_size = inverse_of(magnitude(p_a) + magnitude(p_b));
+    p_a = p_a * inverse_size;
+    p_b = p_b * inverse_size;
+    const Real inverse = inverse_of(p_a * p_a + p_b * p_b);
+    aa = p_a * p_a * inverse;
+    ab = p_a * p_b * inverse;
+    bb = p_b * p_b * inverse;
+  }
+};
+
 /// Facet reflectance for fields, with the plane of incidence of each bounce.
 template <class Facet>
 class Polarized {
@@ -126,8 +161,11 @@ class Polarized {
   template <class Real>
   requires FieldReflector<Facet, Real>
   auto operator()(const PanelImages<Real>& bounce) const {
-    return jones(facet_.amplitudes(bounce.cos_theta_i()), bounce);
+    return jones(facet_.amplitudes(bounce.cos_theta_i()), IncidencePlane<Real>(bounce));
   }
+
+  /// The facet that this one is made of.
+  const Facet& facet() const { return facet_; }
 
   /// That of the facet.
   auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
@@ -146,23 +184,18 @@ class Polarized {
 
  private:
   template <class Value, class Real>
-  static Jones<Value> jones(const Amplitudes<Value>& facet, const PanelImages<Real>& bounce) {
-    const Real p_a = bounce.along_component() * bounce.normal_component();
-    const Real p_b =
-        bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
-    const Real length2 = p_a * p_a + p_b * p_b;
-    const Real inverse = Real(1) / at_least(length2, smallest_divisor<scalar_t<Real>>());
+  static Jones<Value> jones(const Amplitudes<Value>& facet, const IncidencePlane<Real>& plane) {
     const Complex<Value> none{Value(0), Value(0)};
     const Complex<Value> difference = facet.r_p - facet.r_s;
-    const auto part = [&](const Real& product) {
+    const auto part = [&difference](const Real& share) {
       if constexpr (Number<Real>) {
-        return Value(static_cast<scalar_t<Value>>(product * inverse)) * difference;
+        return Value(static_cast<scalar_t<Value>>(share)) * difference;
       } else {
-        return (product * inverse) * difference;
+        return share * difference;
       }
     };
-    const Complex<Value> mixed = part(p_a * p_b);
-    return {facet.r_s + part(p_a * p_a), mixed, none - mixed, none - (facet.r_s + part(p_b * p_b))};
+    const Complex<Value> mixed = part(plane.ab);
+    return {facet.r_s + part(plane.aa), mixed, none - mixed, none - (facet.r_s + part(plane.bb))};
   }
 
   Facet facet_;

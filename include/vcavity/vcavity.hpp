@@ -26,6 +26,7 @@
 #include "spread_bsdf.hpp"
 #include "von_mises_fisher.hpp"
 // Light as a transverse wave: the same with polarisation.
+#include "absorbed_fields.hpp"
 #include "jones.hpp"
 #include "mueller.hpp"
 #include "polarization.hpp"

@@ -97,10 +97,12 @@ ExrAttributes DiscMapper::attributes() const {
   result["quantity"] = in_words(request_.quantity);
   result["units"] = std::string("1");
   if (request_.quantity == Quantity::bounces) return result;
+  result["arithmetic"] = std::string(request_.precision == Precision::single_precision ? "float" : "double");
   result["polarization"] = std::string(name_of(request_.polarization));
   if (request_.environment) {
     result["quantity"] = std::string("radiance reflected from the environment");
     result["units"] = std::string("those of the environment");
+    result["environment"] = request_.environment->name();
   }
   if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
     result.insert(spectral_layout_version());
@@ -111,6 +113,16 @@ ExrAttributes DiscMapper::attributes() const {
     result["wavelengthNm"] = request_.wavelengths_nm.front();
     result["refractiveIndexN"] = indices_.front().n;
     result["extinctionK"] = indices_.front().k;
+  } else {
+    std::vector<std::string> n, k, nm;
+    for (const double wavelength_nm : request_.wavelengths_nm) nm.push_back(exact(wavelength_nm));
+    for (const RefractiveIndex& index : indices_) {
+      n.push_back(exact(index.n));
+      k.push_back(exact(index.k));
+    }
+    result["wavelengthsNm"] = joined(nm, " ");
+    result["refractiveIndicesN"] = joined(n, " ");
+    result["extinctionsK"] = joined(k, " ");
   }
   return result;
 }
@@ -120,13 +132,12 @@ value_t<Facet, Real> DiscMapper::quantity_of(const Cavity<Real>& cavity, const F
                                              const Vec3<double>& direction) const {
   using Value = value_t<Facet, Real>;
   const Vec3<Real> e(direction);
-  if (request_.quantity == Quantity::absorptance && request_.polarization == Polarization::none)
-    return directional_absorptance(cavity, e, facet);
   return with_polarization(request_.polarization, facet, [&](const auto& model) -> Value {
+    if (request_.quantity == Quantity::absorptance)
+      return unpolarized(directional_absorptance(cavity, e, model));
     const auto reflectance = directional_reflectance(cavity, e, model, request_.most_bounces);
     if constexpr (requires { diattenuation(reflectance); })
       if (request_.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
-    if (request_.quantity == Quantity::absorptance) return Value(1) - unpolarized(reflectance);
     return unpolarized(reflectance);
   });
 }
@@ -268,17 +279,21 @@ ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
   return image;
 }
 
+ExrHeader map_header(const DiscMapper& mapper, const Storage& storage) {
+  const int size = mapper.request().size;
+  const bool rec2020 = mapper.coloured() && mapper.request().viewing.rgb == RgbSpace::rec2020;
+  return {size,
+          size,
+          mapper.channels(),
+          mapper.attributes(),
+          storage.number,
+          storage.compression,
+          rec2020 ? ExrPrimaries::rec2020 : ExrPrimaries::rec709};
+}
+
 void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
                Progress& progress) {
-  const int size = mapper.request().size;
-  ExrHeader header;
-  header.width = header.height = size;
-  header.channels = mapper.channels();
-  header.attributes = mapper.attributes();
-  header.number = storage.number;
-  header.compression = storage.compression;
-  if (mapper.request().viewing.rgb == RgbSpace::rec2020) header.primaries = ExrPrimaries::rec2020;
-  ExrWriter writer(file, header);
+  ExrWriter writer(file, map_header(mapper, storage));
   for_each_block(mapper, chunks, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
     const std::vector<std::span<const float>> spans(planes.begin(), planes.end());
     writer.write_rows(rows, spans);

@@ -121,6 +121,9 @@ inline constexpr int chunk_rows = 32;
 /// Computes a whole map in memory, advancing `progress` by the number of its rows.
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
 
+/// Everything about the file of a map but its pixels.
+ExrHeader map_header(const DiscMapper& mapper, const Storage& storage);
+
 /// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
 /// \param chunks   how many times chunk_rows are computed and held at a time; see set_exr_threads() for how
 ///                 many of them are compressed at a time

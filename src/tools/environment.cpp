@@ -10,7 +10,7 @@
 
 namespace vcavity::tools {
 
-Environment::Environment(const std::filesystem::path& path) {
+Environment::Environment(const std::filesystem::path& path) : name_(path.string()) {
   const ExrImage image = read_exr(path);
   width_ = image.width;
   height_ = image.height;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vcavity/conventions.hpp>
 #include <vector>
 
@@ -21,6 +22,9 @@ class Environment {
   /// Throws std::runtime_error "cannot read 'PATH': REASON", also for other channels.
   explicit Environment(const std::filesystem::path& path);
 
+  /// The path of the image.
+  const std::string& name() const { return name_; }
+
   /// The radiance that comes from a direction; linear between the centres of the pixels, wrapped around in
   /// azimuth.
   /// \param from   unit vector towards the light
@@ -29,6 +33,7 @@ class Environment {
  private:
   const glm::dvec3& pixel(int column, int row) const;
 
+  std::string name_;
   int width_;
   int height_;
   std::vector<glm::dvec3> pixels_;

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/definitions.hpp"
+#include "tools/commands/text_table.hpp"
 #include "tools/error.hpp"
 #include "tools/materials/nearest_name.hpp"
 #include "tools/provenance.hpp"
@@ -28,14 +30,13 @@ int complain(std::string message, int status) {
 
 /// CLI11 would only say that a command is missing.
 void require_known_command(const CLI::App& program, const std::string& word) {
-  if (word.starts_with('-')) return;
-  std::string names;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == word) return;
-    if (command->get_group().empty()) continue;  // hidden
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
-  throw vcavity::tools::UsageError("unknown command '" + word + "', expected one of " + names);
+  const auto has_this_name = [&word](const CLI::App* command) { return command->get_name() == word; };
+  if (word.starts_with('-') || !program.get_subcommands(has_this_name).empty()) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : vcavity::tools::visible_commands(program))
+    names.push_back(command->get_name());
+  throw vcavity::tools::UsageError("unknown command '" + word + "', expected one of " +
+                                   vcavity::tools::joined(names, ", "));
 }
 
 /// What to say about a misspelt option; CLI11 would first ask for the required ones that are missing.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -29,22 +30,23 @@ DiscMap disc_of(const ExrImage& image, const std::string& label, PixelColour&& c
 /// How to speak of a quantity.
 struct Wording {
   std::string title;
-  std::string unit;  ///< behind its name on the colour bar
-  double scale;      ///< what a value is multiplied by for the colour bar
+  std::string preposition;  ///< between it and the grooves
+  std::string unit;         ///< behind its name on the colour bar
+  double scale;             ///< what a value is multiplied by for the colour bar
 };
 
 Wording wording(Quantity quantity) {
   switch (quantity) {
     case Quantity::bounces:
-      return {"Number of bounces", ", mean over the opening", 1};
+      return {"Number of bounces", "in", ", mean over the opening", 1};
     case Quantity::degree_of_polarization:
-      return {"Degree of polarisation", " in %", 100};
+      return {"Degree of polarisation", "of", " in %", 100};
     case Quantity::absorptance:
-      return {"Absorptance", " in %", 100};
+      return {"Absorptance", "of", " in %", 100};
     case Quantity::reflectance:
       break;
   }
-  return {"Reflectance", " in %", 100};
+  return {"Reflectance", "of", " in %", 100};
 }
 
 std::string in_lower_case(std::string text) {
@@ -132,15 +134,15 @@ ColourBar bar_for(const std::vector<ExrImage>& images, const Wording& words) {
       0.4;  // from this share of the highest value on the bar need not start at 0
   const double low = values.front() < far_from_zero * high ? 0 : values.front();
 
-  constexpr double least_range = 1e-3;
-  const double step = round_step(std::max(high - low, least_range * words.scale));
+  const double least_range = 1e-3 * (high > 0 ? high : 1);
+  const double step = round_step(std::max(high - low, least_range));
   constexpr double rounding = 1e-6;
   ColourBar bar;
   bar.low = step * std::floor(low / step + rounding);
   bar.high = std::max(step * std::ceil(high / step - rounding), bar.low + step);
   bar.label = in_lower_case(words.title) + words.unit;
   if (values.back() > bar.high * (1 + rounding))
-    bar.label += " (last colour: " + exact(bar.high) + " and above)";
+    bar.label += " (last colour: " + with_digits(bar.high, 6) + " and above)";
   return bar;
 }
 
@@ -162,15 +164,18 @@ class Labels {
     several_wavelengths_ = wavelengths.size() > 1;
   }
 
+  /// \param what   is seen, with a preposition for the grooves
   std::string title(const MapRequest& any, const std::string& what) const {
     const bool spectral = any.quantity != Quantity::bounces;
-    std::string text = what + (spectral ? " of " : " in ");
+    std::string text = what + " ";
     if (spectral && !several_materials_)
       text += any.material.constant() ? "grooves of index " + any.material.name()
                                       : any.material.name() + " grooves";
     else
       text += "grooves";
-    if (spectral && !several_wavelengths_) text += ", " + wavelengths_in_words(any.wavelengths_nm);
+    const bool of_red_green_and_blue = any.environment && any.wavelengths_nm.size() > 1;
+    if (spectral && !several_wavelengths_ && !of_red_green_and_blue)
+      text += ", " + wavelengths_in_words(any.wavelengths_nm);
     return text;
   }
 
@@ -188,11 +193,21 @@ class Labels {
   bool several_wavelengths_;
 };
 
-std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, const PictureStyle& style) {
+std::string light_in_words(const MapRequest& any) {
+  if (any.quantity == Quantity::bounces) return "";
+  if (!any.environment) return "Diffuse light, seen from every direction. ";
+  std::string words = "The light of " + std::filesystem::path(any.environment->name()).filename().string();
+  if (const auto& nm = any.wavelengths_nm; nm.size() > 1)
+    words += ", R, G, B at " + exact(nm[0]) + ", " + exact(nm[1]) + ", " + exact(nm[2]) + " nm";
+  return words + ", seen from every direction. ";
+}
+
+/// \param white   the luminance that is drawn white, if that is not 1
+std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, const PictureStyle& style,
+                                  double white) {
   std::vector<std::string> lines;
-  std::string line = any.quantity == Quantity::bounces ? ""
-                     : any.environment ? "An environment, seen reflected from every direction. "
-                                       : "Diffuse light, seen from every direction. ";
+  std::string line = light_in_words(any);
+  if (white != 1) line += "White stands for a luminance of " + with_digits(white, 6) + " and above. ";
   line += "The grooves run upwards in the picture.";
   if (any.most_bounces != all_bounces)
     line +=
@@ -216,10 +231,11 @@ DiscMap scalar_disc(const ExrImage& image, const std::string& label, const Colou
   });
 }
 
-DiscMap colour_disc(const ExrImage& image, const std::string& label) {
+DiscMap colour_disc(const ExrImage& image, const std::string& label, double white) {
   const std::vector<float>&r = image.plane("R"), &g = image.plane("G"), &b = image.plane("B");
   return disc_of(image, label, [&](std::size_t i) {
-    return srgb_pixel(static_cast<double>(r[i]), static_cast<double>(g[i]), static_cast<double>(b[i]));
+    return srgb_pixel(static_cast<double>(r[i]) / white, static_cast<double>(g[i]) / white,
+                      static_cast<double>(b[i]) / white);
   });
 }
 
@@ -230,8 +246,8 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
       any.environment || (any.wavelengths_nm.size() > 1 && any.quantity != Quantity::bounces);
   const bool in_colour = spectral && style.tone == PictureStyle::Tone::natural;
   Wording words = wording(any.quantity);
-  if (spectral) words.title = "Luminous reflectance";
-  if (any.environment) words = {"Reflected luminance", "", 1};
+  if (spectral) words = {"Luminous reflectance", "of", " in %", 100};
+  if (any.environment) words = {"Luminance", "reflected by", "", 1};
 
   std::vector<ExrImage> images;
   for (MapRequest& request : requests) {
@@ -246,8 +262,10 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
   }
 
   Sheet sheet;
-  sheet.title = labels.title(any, in_colour ? "Colour" : words.title);
-  sheet.subtitle = subtitle(any, labels, style);
+  // A reflectance is seen beside a white of 1; the radiance of an environment may be of any size.
+  const double white = in_colour && any.environment ? bar_for(images, words).high : 1;
+  sheet.title = labels.title(any, (in_colour ? "Colour" : words.title) + " " + words.preposition);
+  sheet.subtitle = subtitle(any, labels, style, white);
   if (!in_colour) sheet.colour_bar = bar_for(images, words);
   if (sheet.colour_bar && any.quantity == Quantity::reflectance &&
       style.tone == PictureStyle::Tone::natural) {
@@ -256,7 +274,7 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
   }
   for (std::size_t i = 0; i < images.size(); ++i) {
     const std::string label = labels.label(requests[i]);
-    sheet.discs.push_back(in_colour ? colour_disc(images[i], label)
+    sheet.discs.push_back(in_colour ? colour_disc(images[i], label, white)
                                     : scalar_disc(images[i], label, *sheet.colour_bar, words.scale));
     if (style.contours == PictureStyle::Contours::shown)
       add_contours(sheet.discs.back(), requests[i].aperture_deg);

@@ -20,7 +20,8 @@ DiscMap scalar_disc(const ExrImage& image, const std::string& label, const Colou
 
 /// A disc in the colours that people would see on a display.
 /// \param image   with the channels R, G, B (linear sRGB) and A
-DiscMap colour_disc(const ExrImage& image, const std::string& label);
+/// \param white   the value of R, G and B that is drawn white
+DiscMap colour_disc(const ExrImage& image, const std::string& label, double white = 1);
 
 /// How a page of maps shows them.
 struct PictureStyle {

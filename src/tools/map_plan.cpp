@@ -2,6 +2,7 @@
 #include "tools/map_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vcavity/projection.hpp>
 
@@ -32,6 +33,20 @@ MapPlan plan_reflectance(MapRequest request, double tolerance) {
   request.most_bounces = plan.most_bounces;
   request.precision = plan.single_precision ? Precision::single_precision : Precision::double_precision;
   return {std::move(request), in_words(plan), plan.bounds.total()};
+}
+
+// Bound on the rounding error in any direction, at the worst of the wavelengths.
+double largest_rounding(const MapRequest& request) {
+  double bound = 0;
+  const Cavity<double> cavity(radians(request.aperture_deg));
+  for (const double wavelength_nm : request.wavelengths_nm) {
+    const RefractiveIndex index = request.material.at(wavelength_nm);
+    const Conductor<double> facet(index.n, index.k);
+    bound = std::max(bound, request.precision == Precision::single_precision
+                                ? rounding_bound<float>(cavity, facet)
+                                : rounding_bound<double>(cavity, facet));
+  }
+  return bound;
 }
 
 std::vector<Vec3<double>> searched_directions() {
@@ -119,6 +134,24 @@ std::string in_words(const EffectsPlan& plan) {
   if (plan.bounds.quadrature > 0)
     words.append(", quadrature (").append(bound_in_words(plan.bounds.quadrature)).append(")");
   return words.append("; together ").append(bound_in_words(plan.bounds.total()));
+}
+
+MapPlan plan_precision(MapRequest request, double tolerance, ExrNumber stored) {
+  if (request.quantity != Quantity::reflectance && request.quantity != Quantity::absorptance)
+    throw UsageError("--tolerance: bounds the error of --quantity reflectance or absorptance, not of others");
+  MapPlan plan{std::move(request), "", 0};
+  const double stored_rounding = std::ldexp(1, stored == ExrNumber::float16 ? -12 : -25);
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    plan.request.precision = precision;
+    plan.bound = stored_rounding + largest_rounding(plan.request);
+    if (plan.bound > tolerance) continue;
+    plan.explanation = precision == Precision::single_precision ? "float; " : "double; ";
+    plan.explanation += bound_in_words(plan.bound);
+    return plan;
+  }
+  throw UsageError("--tolerance: '" + exact(tolerance) + "' is not accepted, expected at least " +
+                   with_digits(plan.bound, 2) +
+                   ", which rounding of the numbers and their storage may reach");
 }
 
 MapPlan plan_map(MapRequest request, double tolerance) {

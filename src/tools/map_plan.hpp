@@ -32,4 +32,11 @@ struct MapPlan {
 /// Throws UsageError where a grid of wavelengths has no colour.
 MapPlan plan_map(MapRequest request, double tolerance);
 
+/// The same map in float if rounding keeps within a tolerance then, else in double; nothing else is left out.
+/// \param tolerance   absolute error of the reflectance or absorptance at every wavelength
+/// \param stored      how its numbers are stored, which rounds them too
+/// Throws UsageError for a tolerance that not even double and this storage can promise, and for a map of
+/// another quantity.
+MapPlan plan_precision(MapRequest request, double tolerance, ExrNumber stored);
+
 }  // namespace vcavity::tools

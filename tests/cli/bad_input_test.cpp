@@ -84,6 +84,12 @@ TEST_CASE("unknown words are refused with what was expected") {
 TEST_CASE("requests that contradict themselves are refused") {
   check_usage_errors(
       {{a_map + "--wavelengths 400:700:10 --wavelength 550", "--wavelength excludes --wavelengths"},
+       {a_map + "--tolerance 1e-9",
+        "--tolerance: '1e-09' is not accepted, expected at least 3e-08, which rounding of the numbers and "
+        "their storage may reach"},
+       {a_map + "--tolerance 1e-3 --quantity bounces",
+        "--tolerance: bounds the error of --quantity reflectance or absorptance, not of others"},
+       {a_map + "--tolerance 1e-3 --environment a.exr", "--tolerance excludes --environment"},
        {a_map + "--quantity bounces --max-bounces 3",
         "--max-bounces: limits the reflectance, not --quantity bounces or absorptance"},
        {a_map + "--wavelengths 400:400:10",

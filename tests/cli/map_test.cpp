@@ -93,6 +93,21 @@ TEST_CASE("a map of the bounces holds their least, mean and greatest number") {
   });
 }
 
+TEST_CASE("reflectance and absorptance of a direction add up to one in each model of polarisation") {
+  for (const char* model : {"none", "separate", "full"}) {
+    const std::string map =
+        std::string("--material Cu --aperture 50 --size 16 --wavelengths 400:700:100 --polarization ") +
+        model;
+    const ExrImage reflectance = map_of(map);
+    const ExrImage absorptance = map_of(map + " --quantity absorptance");
+    for_each_direction(absorptance, [&](std::size_t pixel, const Vec3<double>&) {
+      const auto sum =
+          reflectance.plane("T.500,000000nm")[pixel] + absorptance.plane("T.500,000000nm")[pixel];
+      CHECK(sum == Catch::Approx(1).epsilon(1e-6));
+    });
+  }
+}
+
 TEST_CASE("a map says where it comes from") {
   const ExrImage image = map_of("--material Cu --aperture 45.5 --size 8 --wavelength 600 --max-bounces 2");
   CHECK(text(image, "command") ==

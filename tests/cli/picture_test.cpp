@@ -2,10 +2,12 @@
 #include "cli/program.hpp"
 #include "output/page.hpp"
 #include "support/catch.hpp"
+#include "tools/output/exr.hpp"
 
 using vcavity::tools::ColourMap;
 using vcavity::tools::map_colour;
 using vcavity::tools::Rgba8;
+using vcavity::tools::write_exr;
 
 namespace {
 
@@ -59,6 +61,27 @@ TEST_CASE("contours are drawn in white") {
     return count;
   };
   CHECK(white_in_disc(lined) > white_in_disc(plain) + 20);
+}
+
+TEST_CASE("an environment is exposed for its brightness, whatever the unit of its radiance") {
+  for (const float unit : {1e-4f, 1.0f, 1e4f}) {
+    const ScratchFolder folder;
+    // Dark at the zenith, bright at the horizon, and reddish.
+    write_exr(folder / "sky.exr", {1,
+                                   4,
+                                   {{"R", {unit, 4 * unit, unit, unit}},
+                                    {"G", {unit / 2, 2 * unit, unit, unit}},
+                                    {"B", {unit / 2, 2 * unit, unit, unit}}},
+                                   {}});
+    const Outcome outcome =
+        run("map --material Ag --aperture 150 --environment sky.exr --png a.png", folder.path());
+    CAPTURE(unit, outcome.err);
+    REQUIRE(outcome.status == 0);
+    const Rgba8 middle = colour_on_disc(Page(folder / "a.png"));
+    CHECK(middle.r > 60);
+    CHECK(middle.r < 250);
+    CHECK(middle.r > middle.g + 20);
+  }
 }
 
 TEST_CASE("a page needs something to show") {

@@ -23,6 +23,14 @@ inline std::vector<std::string> words(const std::string& line) {
   return result;
 }
 
+/// The lines of a text, without their ends.
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 /// The program at work, with what it prints going to files.
 class RunningProgram {
  public:

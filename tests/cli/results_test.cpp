@@ -33,13 +33,6 @@ Vec3<double> vector_of(const json& array) {
   return {array[0], array[1], array[2]};
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
 
 TEST_CASE("JSON of a table has a row for each aperture with every digit of the library") {
@@ -116,6 +109,18 @@ TEST_CASE("JSON of a direction has every digit of the library") {
   CHECK(ray["bounces"] == path.bounces);
   CHECK(ray["reflectance"] == ray_reflectance(cavity, e, path, silver));
   CHECK(vector_of(ray["direction"]) == ray_exit_direction(cavity, e, path));
+}
+
+TEST_CASE("JSON of a direction has the absorptance of the model that was asked for") {
+  const Cavity<double> cavity(radians(45.0));
+  const auto e = vcavity::direction(radians(30.0), radians(20.0));
+  const auto absorptance = [](const std::string& model) {
+    return result_of("direction --material 0.1249+3.3391i --aperture 45 --theta 30 --phi 20 --polarization " +
+                     model)["absorptance"];
+  };
+  CHECK(absorptance("full") == unpolarized(directional_absorptance(cavity, e, polarized(silver))));
+  CHECK(absorptance("separate") ==
+        unpolarized(directional_absorptance(cavity, e, separately_polarized(silver))));
 }
 
 TEST_CASE("a ray is told only where a position is given") {

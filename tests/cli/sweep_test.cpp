@@ -52,16 +52,59 @@ TEST_CASE("a map of a sweep is the one that is made alone") {
         read_exr(folder / "alone.exr").plane("Y"));
 }
 
-TEST_CASE("a resumed sweep leaves files that exist alone") {
+TEST_CASE("a resumed sweep leaves maps alone that it would make again, whatever the command line") {
   const ScratchFolder folder;
+  const auto map = folder / "maps/Cu-Johnson_60deg_550nm.exr";
   const std::string sweep = "map --material Cu --aperture 45,60,90 --size 8 --out maps";
-  std::filesystem::create_directory(folder / "maps");
-  put(folder / "maps/Cu-Johnson_60deg_550nm.exr", "made earlier");
+  REQUIRE(
+      run("map --aperture 60 --material Cu --size 8 --wavelength 550 --out maps/", folder.path()).status ==
+      0);
+  const std::string earlier = content(map);
   REQUIRE(run(sweep + " --skip-existing", folder.path()).status == 0);
-  CHECK(content(folder / "maps/Cu-Johnson_60deg_550nm.exr") == "made earlier");
+  CHECK(content(map) == earlier);
   CHECK(read_exr(folder / "maps/Cu-Johnson_90deg_550nm.exr").width == 8);
   REQUIRE(run(sweep, folder.path()).status == 0);
-  CHECK(read_exr(folder / "maps/Cu-Johnson_60deg_550nm.exr").width == 8);
+  CHECK(content(map) != earlier);  // made again: it tells the command that made it
+}
+
+TEST_CASE("a resumed sweep replaces maps of other options, data or versions, and other files") {
+  const ScratchFolder folder;
+  const auto made = [&](const std::string& options) {
+    REQUIRE(run("map --aperture 60 --out a.exr " + options, folder.path()).status == 0);
+    return content(folder / "a.exr");
+  };
+  const auto is_replaced = [&](const std::string& options) {
+    const std::string earlier = content(folder / "a.exr");
+    return made(options + " --skip-existing") != earlier;
+  };
+  put(folder / "own.csv", "wavelength_nm,n,k\n400,0.2,3\n700,0.3,4\n");
+  const std::string usual = "--material ./own.csv --size 8 --wavelengths 400:700:100";
+  made(usual);
+  CHECK_FALSE(is_replaced(usual));
+  for (const char* option :
+       {"--precision half", "--compression zip", "--polarization full", "--max-bounces 1", "--illuminant a",
+        "--observer 10", "--rgb rec2020", "--polarization full --quantity dop", "--quantity absorptance",
+        "--quantity bounces", "--effects auto --tolerance 1"}) {
+    CAPTURE(option);
+    made(usual);
+    CHECK(is_replaced(usual + " " + option));
+    CHECK_FALSE(is_replaced(usual + " " + option));
+    CHECK(is_replaced(usual));
+  }
+  CHECK(is_replaced("--material ./own.csv --size 9 --wavelengths 400:700:100"));
+  CHECK(is_replaced("--material ./own.csv --size 8 --wavelengths 400:700:50"));
+  CHECK(is_replaced("--material Ag --size 8 --wavelengths 400:700:100"));
+  made(usual);
+  put(folder / "own.csv", "wavelength_nm,n,k\n400,0.2,3\n700,0.3,5\n");
+  CHECK(is_replaced(usual));
+  vcavity::tools::ExrImage image = read_exr(folder / "a.exr");
+  vcavity::tools::write_exr(folder / "a.exr", image);
+  CHECK_FALSE(is_replaced(usual));
+  image.attributes["software"] = std::string("vcavity 0.0.1");
+  vcavity::tools::write_exr(folder / "a.exr", image);
+  CHECK(is_replaced(usual));
+  put(folder / "a.exr", "no image");
+  CHECK(is_replaced(usual));
 }
 
 TEST_CASE("a sweep that is killed and resumed ends with complete files only") {

@@ -75,3 +75,46 @@ TEST_CASE("there is no plan for infrared colours") {
   request.wavelengths_nm = {900, 950, 1000};
   CHECK_THROWS_AS(plan_map(request, 1), UsageError);
 }
+
+TEST_CASE("a tolerance alone chooses float where its rounding is within it, and nothing else") {
+  std::mt19937_64 random(409);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int in_float = 0;
+  for (const char* material : {"Cu", "Ag", "1.5", "1.1", "Si"})
+    for (const Quantity quantity : {Quantity::reflectance, Quantity::absorptance})
+      for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+        MapRequest request = request_for(material, 10 + 170 * unit(random));
+        request.wavelengths_nm = {450, 550, 650};
+        request.size = 24;
+        request.quantity = quantity;
+        request.polarization = unit(random) < 0.5 ? Polarization::none : Polarization::full;
+        const MapPlan plan = plan_precision(request, tolerance, ExrNumber::float32);
+        CAPTURE(material, request.aperture_deg, tolerance, plan.explanation);
+        CHECK(plan.bound <= tolerance);
+        CHECK(plan.request.polarization == request.polarization);
+        CHECK(plan.request.most_bounces == all_bounces);
+        CHECK(plan.request.wavelengths_nm == request.wavelengths_nm);
+        const auto expected = DiscMapper(request).rows(0, request.size);
+        const auto planned = DiscMapper(plan.request).rows(0, request.size);
+        REQUIRE(planned.size() == expected.size());
+        double worst = 0;
+        for (std::size_t channel = planned.size() - 3; channel < planned.size(); ++channel)
+          for (std::size_t i = 0; i < planned[channel].size(); ++i)
+            worst = std::max(worst, std::abs(static_cast<double>(planned[channel][i]) -
+                                             static_cast<double>(expected[channel][i])));
+        CHECK(worst <= plan.bound);
+        in_float += plan.request.precision == Precision::single_precision;
+      }
+  CHECK(in_float > 5);
+  CHECK(in_float < 25);
+}
+
+TEST_CASE("a tolerance below what storage rounds away is refused, and one for a ratio") {
+  MapRequest request = request_for("Ag", 60);
+  CHECK_THROWS_AS(plan_precision(request, 1e-9, ExrNumber::float32), UsageError);
+  CHECK_THROWS_AS(plan_precision(request, 1e-4, ExrNumber::float16), UsageError);
+  CHECK(plan_precision(request, 1e-3, ExrNumber::float16).bound > 2e-4);
+  request.quantity = Quantity::degree_of_polarization;
+  request.polarization = Polarization::full;
+  CHECK_THROWS_AS(plan_precision(request, 1e-3, ExrNumber::float32), UsageError);
+}

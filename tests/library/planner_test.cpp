@@ -168,3 +168,36 @@ TEST_CASE("separate polarisations bound the error of leaving polarisation out, d
           by(separately_polarized(scene.facet())) - none + 1e-14);
   }
 }
+
+TEST_CASE("float keeps its bound on rounding in any direction, quantity and model of polarisation") {
+  std::mt19937_64 random(233);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double largest_share = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Scene scene = random_scene(random);
+    const double bound = rounding_bound<float>(scene.cavity(), scene.facet());
+    const Cavity<float> narrow(at_most(static_cast<float>(scene.cavity().aperture()), pi<float>()));
+    const Conductor<float> facet(static_cast<float>(scene.n), static_cast<float>(scene.k));
+    CAPTURE(scene.aperture_deg, scene.n, scene.k, bound);
+    for (int i = 0; i < 40; ++i) {
+      const double cos_theta = i % 2 == 0 ? unit(random) : std::exp(-14 * unit(random));
+      const Vec3<double> e = direction(std::acos(cos_theta), 2 * pi<double>() * unit(random));
+      const auto check = [&](const auto& single, const auto& exact) {
+        const Vec3<float> e_single(e);
+        const double reflected =
+            static_cast<double>(unpolarized(directional_reflectance(narrow, e_single, single))) -
+            unpolarized(directional_reflectance(scene.cavity(), e, exact));
+        const double absorbed =
+            static_cast<double>(unpolarized(directional_absorptance(narrow, e_single, single))) -
+            unpolarized(directional_absorptance(scene.cavity(), e, exact));
+        const double error = std::max(std::abs(reflected), std::abs(absorbed));
+        CHECK(error <= bound);
+        if (bound < 0.1) largest_share = std::max(largest_share, error / bound);
+      };
+      check(facet, scene.facet());
+      check(separately_polarized(facet), separately_polarized(scene.facet()));
+      check(polarized(facet), polarized(scene.facet()));
+    }
+  }
+  CHECK(largest_share > 0.05);  // the bound is no mere number that nothing could exceed
+}

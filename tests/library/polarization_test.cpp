@@ -250,3 +250,48 @@ TEST_CASE("models of polarisation differ where they should: glass at 60 degrees"
   CHECK(std::abs(bihemispherical_reflectance(cavity, polarized(glass), 1e-13).value - 0.016577458838) <
         1e-12);
 }
+
+TEST_CASE("whatever model follows polarisation, what is not reflected is absorbed") {
+  std::mt19937_64 random(311);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const Scene scene = random_scene(random);
+    CAPTURE(scene.cavity.aperture(), scene.e.x, scene.e.y, scene.index);
+    const auto check = [&](const auto& facet) {
+      const double absorbed = unpolarized(directional_absorptance(scene.cavity, scene.e, facet));
+      const double reflected = unpolarized(directional_reflectance(scene.cavity, scene.e, facet));
+      CHECK(absorbed == Approx(1 - reflected).margin(2e-14));
+    };
+    check(scene.metal());
+    check(separately_polarized(scene.metal()));
+    check(scene.facet());
+  }
+}
+
+TEST_CASE("the absorptance of a nearly perfect mirror keeps its digits in every model") {
+  std::mt19937_64 random(313);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const float aperture = radians(static_cast<float>(30 + 150 * unit(random)));
+    const Vec3<float> e(direction(std::acos(0.01 + 0.99 * unit(random)), 2 * pi<double>() * unit(random)));
+    const Conductor<float> metal(30, 3000);  // it absorbs 1e-5 at normal incidence
+    const Conductor<double> exact(30, 3000);
+    CAPTURE(aperture, e.x, e.y, e.z);
+    const auto check = [&](const auto& facet, const auto& exact_facet) {
+      const double expected =
+          1 - unpolarized(directional_reflectance(Cavity<double>(static_cast<double>(aperture)),
+                                                  Vec3<double>(e), exact_facet));
+      const float absorbed = unpolarized(directional_absorptance(Cavity<float>(aperture), e, facet));
+      CHECK(absorbed == Approx(expected).epsilon(1e-4));
+    };
+    check(metal, exact);
+    check(separately_polarized(metal), separately_polarized(exact));
+    check(polarized(metal), polarized(exact));
+  }
+}
+
+TEST_CASE("a perfect conductor's absorbed power seen through a way is that of its beginning") {
+  // J† A J of a unitary J keeps the trace, so unpolarised light is absorbed as if there were no first way.
+  const AbsorbedPower<double> absorbed(0.25, 0.5, {0.125, -0.0625});
+  const Jones<double> turn({0.6, 0}, {0, 0.8}, {0, 0.8}, {0.6, 0});
+  CHECK(unpolarized(absorbed_behind(turn, absorbed)) == Approx(unpolarized(absorbed)).epsilon(1e-15));
+}

@@ -60,10 +60,6 @@ LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space) {
   return space == RgbSpace::rec2020 ? to_linear_rec2020(colour) : to_linear_srgb(colour);
 }
 
-LinearRgb clip_negative(const LinearRgb& colour) {
-  return {std::max(colour.r, 0.0), std::max(colour.g, 0.0), std::max(colour.b, 0.0)};
-}
-
 double encode_srgb(double linear) {
   const double value = std::clamp(linear, 0.0, 1.0);
   return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;

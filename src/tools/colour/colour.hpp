@@ -49,10 +49,6 @@ enum class RgbSpace { srgb, rec2020 };
 /// Linear RGB in a space.
 LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space);
 
-/// The colour with its negative components replaced by 0: colours outside the gamut move onto its hull, those
-/// inside stay. Values above 1 are kept, they are for the display or the file format to limit.
-LinearRgb clip_negative(const LinearRgb& colour);
-
 /// The transfer function of sRGB: from a linear component to an encoded one, both 0 to 1; others are limited
 /// to that. Source: IEC 61966-2-1:1999, eq. 9 and 10.
 double encode_srgb(double linear);

@@ -16,11 +16,15 @@
 namespace vcavity::tools {
 namespace {
 
+/// How much of the table is printed.
+enum class Length { one_screen, whole };
+
 struct CostOptions {
   std::string material;
   double aperture_deg = 0;
   double wavelength_nm = default_wavelength_nm;
   Format format = Format::md;
+  Length length = Length::one_screen;
   std::string plot;
 };
 
@@ -53,28 +57,41 @@ bool compares(const CostSection& section) {
   return section.rows.front().method == "the paper's midpoint rule";
 }
 
-TextTable table_of(const CostSection& section) {
-  TextTable table{{"method", "setting", "error", "time", "evaluations"}, {}};
-  if (compares(section)) table.heading.push_back("speed-up");
-  for (const Measurement& row : section.rows) {
-    table.rows.push_back({row.method, row.setting, with_digits(row.error, 2), in_seconds(row.seconds),
-                          row.evaluations > 0 ? std::to_string(row.evaluations) : ""});
-    if (compares(section)) table.rows.back().push_back(speed_up(section, row));
+/// The first and the last setting of each method: what it costs to begin with, and what it comes to.
+std::vector<Measurement> extremes(const std::vector<Measurement>& rows) {
+  std::vector<Measurement> result;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool first = i == 0 || rows[i - 1].method != rows[i].method;
+    const bool last = i + 1 == rows.size() || rows[i + 1].method != rows[i].method;
+    if (first || last) result.push_back(rows[i]);
+  }
+  return result;
+}
+
+/// One table of all sections; in the short one the rows that tell the story on one screen.
+TextTable table_of(const std::vector<CostSection>& sections, Length length) {
+  TextTable table{{"method", "setting", "error", "time", "speed-up", "evaluations"}, {}};
+  for (const CostSection& section : sections) {
+    table.rows.push_back({"**" + section.title + "**"});
+    table.rows.back().resize(table.heading.size());
+    for (const Measurement& row : length == Length::whole ? section.rows : extremes(section.rows))
+      table.rows.push_back({row.method, row.setting, with_digits(row.error, 2), in_seconds(row.seconds),
+                            compares(section) ? speed_up(section, row) : "",
+                            row.evaluations > 0 ? std::to_string(row.evaluations) : ""});
   }
   return table;
 }
 
-void print_markdown(const std::vector<CostSection>& sections, const std::string& what) {
-  std::cout << "What accuracy costs: " << what << "\n";
-  for (const CostSection& section : sections) {
-    std::cout << "\n"
-              << section.title << " (error: " << section.error << ")\n\n"
-              << to_markdown(table_of(section));
-    if (compares(section))
-      std::cout
-          << "\nSpeed-up: the time of the midpoint rule for the same error, extrapolated along its slope, "
-             "over this time.\n";
-  }
+void print_markdown(const std::vector<CostSection>& sections, const Material& material,
+                    const std::string& groove, Length length) {
+  std::cout << "What accuracy costs: " << material.name() << ", " << groove << "\n\n"
+            << to_markdown(table_of(sections, length)) << '\n';
+  for (const CostSection& section : sections)
+    std::cout << "- " << section.title << ": " << section.error << '\n';
+  std::cout << "- speed-up: over the midpoint rule, its time extrapolated to the same error\n";
+  std::cout << "- " << in_one_line(material) << '\n';
+  if (length == Length::one_screen)
+    std::cout << "- first and last setting of each method; --all shows every one\n";
 }
 
 void print_csv(const std::vector<CostSection>& sections, std::vector<std::string> provenance) {
@@ -111,7 +128,8 @@ Plot plot_of(const CostSection& section, const std::string& what) {
   plot.title = section.title + ": error against time";
   plot.x = {"time in seconds, median of repeats", Axis::Scale::logarithmic, std::nullopt};
   plot.y = {section.error, Axis::Scale::logarithmic, std::nullopt};
-  plot.footnote = what + ". Errors below 1e-16, the rounding of the result, are drawn there.";
+  plot.footnote = what + ". Errors below 1e-16, the rounding of the result, are drawn there. " + software() +
+                  ", " + command_line();
   for (const Measurement& row : section.rows) {
     if (plot.series.empty() || plot.series.back().name != row.method)
       plot.series.push_back({row.method, {}, {}});
@@ -135,12 +153,11 @@ void run_cost(const CostOptions& options) {
       !wavelengths.rows.empty())
     sections.push_back(std::move(wavelengths));
 
-  std::string what = in_one_line(material);
-  what.append(", n = ").append(exact(index.n)).append(", k = ").append(exact(index.k));
-  what.append(", aperture ").append(exact(options.aperture_deg)).append("°");
+  const std::string groove =
+      "n = " + exact(index.n) + ", k = " + exact(index.k) + ", aperture " + exact(options.aperture_deg) + "°";
   if (!options.plot.empty()) {
     AtomicFile file(options.plot);
-    write_plot(file, plot_of(sections.front(), what));
+    write_plot(file, plot_of(sections.front(), in_one_line(material) + ", " + groove));
     file.commit();
   }
   if (options.format == Format::json) {
@@ -155,7 +172,7 @@ void run_cost(const CostOptions& options) {
   } else if (options.format == Format::csv) {
     print_csv(sections, provenance_lines(material));
   } else {
-    print_markdown(sections, what);
+    print_markdown(sections, material, groove, options.length);
   }
 }
 
@@ -165,16 +182,13 @@ void add_cost_command(CLI::App& program) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = program.add_subcommand("cost", "what accuracy costs in time, measured on this machine");
   add_material(*command, options->material);
-  add_number(*command, "--aperture", options->aperture_deg, aperture_range_deg,
-             "angle between the panels in degrees, above 0 to 180")
-      ->type_name("DEG")
-      ->required();
-  add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
-             "vacuum wavelength in nanometres (default 550)")
-      ->type_name("NM");
+  add_aperture(*command, options->aperture_deg);
+  add_wavelength(*command, options->wavelength_nm);
   add_format(*command, options->format);
-  command->add_option("--plot", options->plot, "also draw error against time")
-      ->type_name("FILE.svg|FILE.png");
+  command->add_flag_callback(
+      "--all", [options] { options->length = Length::whole; },
+      "print every setting of each method; csv and json always do");
+  add_picture(*command, "--plot", options->plot, "also draw error against time");
   command->callback([options] { run_cost(*options); });
 }
 

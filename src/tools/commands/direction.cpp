@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
+#include <vcavity/absorbed_fields.hpp>
 #include <vcavity/polarization.hpp>
 #include <vcavity/reflectance.hpp>
 
@@ -61,12 +62,11 @@ struct Result {
 template <class Facet>
 Result follow(const DirectionOptions& options, const RefractiveIndex& index, const Cavity<double>& cavity,
               const Vec3<double>& e, const Facet& facet) {
-  Result result{index, reflected(directional_reflectance(cavity, e, facet)), 0, {}, std::nullopt};
-  if constexpr (AbsorbingFacet<Facet, double>) {
-    result.absorptance = directional_absorptance(cavity, e, facet);
-  } else {
-    result.absorptance = 1 - result.reflectance.unpolarized;
-  }
+  Result result{index,
+                reflected(directional_reflectance(cavity, e, facet)),
+                unpolarized(directional_absorptance(cavity, e, facet)),
+                {},
+                std::nullopt};
   for (const auto& lobe : lobes(cavity, e, facet))
     result.lobes.push_back(
         {lobe.first_panel, lobe.bounces, lobe.weight, reflected(power(lobe.throughput)), lobe.direction});
@@ -190,10 +190,7 @@ void add_direction_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "direction", "reflectance, lobes and, on request, a single ray of one direction");
   add_material(*command, options->material);
-  add_number(*command, "--aperture", options->aperture_deg, aperture_range_deg,
-             "angle between the panels in degrees, above 0 to 180")
-      ->type_name("DEG")
-      ->required();
+  add_aperture(*command, options->aperture_deg);
   add_number(*command, "--theta", options->theta_deg, theta_range_deg,
              "polar angle of the direction towards the light in degrees, 0 to 90")
       ->type_name("DEG")
@@ -202,9 +199,7 @@ void add_direction_command(CLI::App& program) {
              "its azimuth in degrees, -360 to 360; 0 across the groove, 90 along it")
       ->type_name("DEG")
       ->required();
-  add_number(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
-             "vacuum wavelength in nanometres (default 550)")
-      ->type_name("NM");
+  add_wavelength(*command, options->wavelength_nm);
   add_number(*command, "--position", options->position, {-1, 1},
              "also follow the ray through this point of the opening, -1 to 1 across it")
       ->type_name("Y");

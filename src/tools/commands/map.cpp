@@ -20,6 +20,7 @@ namespace {
 
 // An error, or a colour difference.
 constexpr Interval tolerance_range{0, 100, Interval::Ends::open_low};
+constexpr double default_tolerance = 1e-3;
 
 struct MapOptions {
   std::vector<std::string> materials;
@@ -30,7 +31,7 @@ struct MapOptions {
   Quantity quantity = Quantity::reflectance;
   Polarization polarization = Polarization::none;
   EffectsOptions effects;
-  double tolerance = 1e-3;
+  std::optional<double> tolerance;
   std::string environment;
   int most_bounces = all_bounces;
   Viewing viewing;
@@ -89,9 +90,11 @@ std::vector<MapRequest> combinations(const MapOptions& options) {
 }
 
 /// Replaces each map by the cheapest one within the tolerance and says why.
-void plan(std::vector<MapRequest>& requests, double tolerance) {
+void plan(std::vector<MapRequest>& requests, const MapOptions& options) {
   for (MapRequest& request : requests) {
-    MapPlan planned = plan_map(std::move(request), tolerance);
+    MapPlan planned = options.effects.automatic
+                          ? plan_map(std::move(request), options.tolerance.value_or(default_tolerance))
+                          : plan_precision(std::move(request), *options.tolerance, options.storage.number);
     std::cout << planned.explanation << '\n';
     request = std::move(planned.request);
   }
@@ -100,7 +103,7 @@ void plan(std::vector<MapRequest>& requests, double tolerance) {
 void run_map(const MapOptions& options) {
   check(options);
   std::vector<MapRequest> requests = combinations(options);
-  if (options.effects.automatic) plan(requests, options.tolerance);
+  if (options.effects.automatic || options.tolerance) plan(requests, options);
   if (options.effects.explain) return;
   const bool with_picture = !options.picture.empty();
   if (with_picture && requests.size() > most_discs)
@@ -108,8 +111,7 @@ void run_map(const MapOptions& options) {
                      std::to_string(most_discs) + " do");
   std::vector<MapFile> maps;
   if (!options.out.empty()) maps = name_map_files(requests, options.out);
-  if (options.skip_existing)
-    std::erase_if(maps, [](const MapFile& map) { return std::filesystem::exists(map.path); });
+  if (options.skip_existing) leave_out_finished(maps, options.storage);
 
   Progress progress(static_cast<std::uint64_t>(options.size) * maps.size() +
                     static_cast<std::uint64_t>(picture_size) * (with_picture ? requests.size() : 0));
@@ -124,34 +126,30 @@ void run_map(const MapOptions& options) {
 void add_colour_options(CLI::App& command, Viewing& viewing, CLI::Option* grid) {
   command
       .add_option("--illuminant", viewing.light,
-                  "the light for R, G, B: D65, E, A, or a file with a wavelength in nm and a power in every "
-                  "line (default D65)")
-      ->type_name("LIGHT")
+                  "the light for R, G, B: one of the CIE, or a file with a wavelength in nm and a power in "
+                  "every line (default d65)")
+      ->type_name("d65|e|a|FILE")
       ->needs(grid);
   add_choice(command, "--observer", viewing.observer,
              {{"2", Observer::cie_1931_2deg}, {"10", Observer::cie_1964_10deg}},
              "whose eye sees R, G, B: the CIE observer of 2 (1931) or 10 (1964) degrees (default 2)")
-      ->type_name("DEG")
       ->needs(grid);
   add_choice(command, "--rgb", viewing.rgb, {{"srgb", RgbSpace::srgb}, {"rec2020", RgbSpace::rec2020}},
-             "primaries of R, G, B, which stay linear: srgb or rec2020 (default srgb)")
-      ->type_name("SPACE")
+             "primaries of R, G, B, which stay linear (default srgb)")
       ->needs(grid);
 }
 
 void add_storage_options(CLI::App& command, Storage& storage) {
   add_choice(command, "--precision", storage.number,
              {{"float", ExrNumber::float32}, {"half", ExrNumber::float16}},
-             "numbers of the EXR: float (32 bits) or half (16 bits; 3 digits) (default float)")
-      ->type_name("TYPE");
+             "numbers of the EXR: float (32 bits) or half (16 bits; 3 digits) (default float)");
   add_choice(command, "--compression", storage.compression,
              {{"none", ExrCompression::none},
               {"rle", ExrCompression::rle},
               {"zips", ExrCompression::zips},
               {"zip", ExrCompression::zip},
               {"piz", ExrCompression::piz}},
-             "of the EXR, all without loss: none, rle, zips, zip or piz (default piz, the fastest)")
-      ->type_name("METHOD");
+             "of the EXR, all without loss (default piz, the fastest)");
 }
 
 void add_picture_options(CLI::App& command, std::string& file, PictureStyle& style) {
@@ -175,16 +173,10 @@ void add_map_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "map", "OpenEXR images of a quantity for every direction, on the disc of the equal-area projection");
   add_materials(*command, options->materials);
-  add_numbers(*command, "--aperture", options->apertures_deg, aperture_range_deg,
-              "angles between the panels in degrees, above 0 to 180")
-      ->type_name("DEG[,DEG...]")
-      ->required();
+  add_apertures(*command, options->apertures_deg);
   add_count(*command, "--size", options->size, 1, largest_map, "pixels along one side (default 512)")
       ->type_name("N");
-  CLI::Option* single =
-      add_numbers(*command, "--wavelength", options->wavelength_nm, wavelength_range_nm,
-                  "vacuum wavelengths in nanometres, one map for each, channel Y (default 550)");
-  single->type_name("NM[,NM...]");
+  CLI::Option* single = add_wavelengths(*command, options->wavelength_nm);
   CLI::Option* grid = command->add_option_function<std::string>(
       "--wavelengths",
       [options](const std::string& words) {
@@ -200,8 +192,7 @@ void add_map_command(CLI::App& program) {
               {"bounces", Quantity::bounces},
               {"dop", Quantity::degree_of_polarization},
               {"absorptance", Quantity::absorptance}},
-             "reflectance, bounces, dop (degree of polarisation) or absorptance (default reflectance)")
-      ->type_name("QUANTITY");
+             "what the map shows; dop is the degree of polarisation (default reflectance)");
   add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
   add_colour_options(*command, options->viewing, grid);
@@ -211,16 +202,16 @@ void add_map_command(CLI::App& program) {
                    "MATERIAL_APERTUREdeg_WAVELENGTHnm.exr")
       ->type_name("FILE.exr|DIR");
   command->add_flag("--skip-existing", options->skip_existing,
-                    "leave out maps whose file exists, to resume an interrupted run");
+                    "leave out maps whose file exists and was made with the same options, data and version, "
+                    "to resume an interrupted run; other files are replaced");
   add_storage_options(*command, options->storage);
   add_picture_options(*command, options->picture, options->style);
   add_effects(*command, options->effects);
   add_number(
       *command, "--tolerance", options->tolerance, tolerance_range,
-      "largest error of --effects auto (default 0.001): absolute in the reflectance, CIEDE2000 for a grid "
-      "of wavelengths")
-      ->type_name("T")
-      ->needs("--effects");
+      "largest error: with --effects auto of everything left out (default 0.001), CIEDE2000 for a grid of "
+      "wavelengths; alone, of rounding: float where that is enough. Absolute in the reflectance")
+      ->type_name("T");
   command
       ->add_option(
           "--environment", options->environment,
@@ -229,7 +220,8 @@ void add_map_command(CLI::App& program) {
           "G and B are taken at 610, 550 and 465 nm")
       ->type_name("SKY.exr")
       ->excludes("--wavelengths")
-      ->excludes("--effects");
+      ->excludes("--effects")
+      ->excludes("--tolerance");
   command->callback([options] { run_map(*options); });
 }
 

@@ -22,12 +22,6 @@ struct MaterialsOptions {
   Format format = Format::md;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 void list_collection(Format format) {
   const std::vector<CatalogueEntry> entries = list_materials();
   if (format == Format::json) {
@@ -44,7 +38,7 @@ void list_collection(Format format) {
   }
   TextTable table{{"name", "default for", "from um", "to um", "source"}, {}};
   for (const CatalogueEntry& entry : entries)
-    table.rows.push_back({entry.material.name(), joined(entry.short_names),
+    table.rows.push_back({entry.material.name(), joined(entry.short_names, ", "),
                           exact(entry.material.range().min_um), exact(entry.material.range().max_um),
                           entry.material.reference()});
   if (format == Format::md) {
@@ -119,7 +113,7 @@ void add_materials_command(CLI::App& program) {
       "materials", "the refractive indices that come with the program, or one of them, or a file");
   CLI::Option* material =
       command
-          ->add_option("M", options->material,
+          ->add_option(material_placeholder, options->material,
                        "a name, a file (.yml of refractiveindex.info, .csv, .spd) or an index such as "
                        "0.1249+3.3391i; all names unless given")
           ->type_name("");

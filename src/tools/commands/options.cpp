@@ -30,6 +30,16 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+/// \param value   a double, or an optional one
+template <class Value>
+CLI::Option* add_checked_number(CLI::App& command, const std::string& name, Value& value,
+                                const Interval& interval, const std::string& help) {
+  return command.add_option_function<std::string>(
+      name,
+      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
+      help);
+}
+
 }  // namespace
 
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected) {
@@ -78,18 +88,12 @@ std::vector<double> checked_numbers(std::string_view words, std::string_view opt
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const Interval& interval,
                         const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
-      help);
+  return add_checked_number(command, name, value, interval, help);
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const Interval& interval, const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [&value, name, interval](const std::string& word) { value = checked_number(word, name, interval); },
-      help);
+  return add_checked_number(command, name, value, interval, help);
 }
 
 CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
@@ -130,10 +134,36 @@ CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string
       ->type_name("FILE");
 }
 
+void add_aperture(CLI::App& command, double& aperture_deg) {
+  add_number(command, "--aperture", aperture_deg, aperture_range_deg,
+             "angle between the panels in degrees, above 0 to 180")
+      ->type_name("DEG")
+      ->required();
+}
+
+void add_apertures(CLI::App& command, std::vector<double>& apertures_deg) {
+  add_numbers(command, "--aperture", apertures_deg, aperture_range_deg,
+              "angles between the panels in degrees, above 0 to 180")
+      ->type_name("DEG[,DEG...]")
+      ->required();
+}
+
+void add_wavelength(CLI::App& command, double& wavelength_nm) {
+  add_number(command, "--wavelength", wavelength_nm, wavelength_range_nm,
+             "vacuum wavelength in nanometres (default " + exact(wavelength_nm) + ")")
+      ->type_name("NM");
+}
+
+CLI::Option* add_wavelengths(CLI::App& command, std::vector<double>& wavelengths_nm) {
+  return add_numbers(command, "--wavelength", wavelengths_nm, wavelength_range_nm,
+                     "vacuum wavelengths in nanometres, each on its own (default " +
+                         exact(default_wavelength_nm) + ")")
+      ->type_name("NM[,NM...]");
+}
+
 void add_format(CLI::App& command, Format& format) {
   add_choice(command, "--format", format, {{"md", Format::md}, {"csv", Format::csv}, {"json", Format::json}},
-             "md (Markdown), csv or json (default md)")
-      ->type_name("FORMAT");
+             "how to print the results; md is Markdown (default md)");
 }
 
 namespace {
@@ -145,13 +175,13 @@ const std::string material_help =
 }  // namespace
 
 void add_material(CLI::App& command, std::string& specification) {
-  command.add_option("--material", specification, material_help)->type_name("M")->required();
+  command.add_option("--material", specification, material_help)->type_name(material_placeholder)->required();
 }
 
 void add_materials(CLI::App& command, std::vector<std::string>& specifications) {
   command
       .add_option("--material", specifications, material_help + "; several separated by commas, or repeat it")
-      ->type_name("M[,M...]")
+      ->type_name(materials_placeholder)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->required();
@@ -162,8 +192,7 @@ void add_polarization(CLI::App& command, Polarization& model) {
       command, "--polarization", model,
       {{"none", Polarization::none}, {"separate", Polarization::separate}, {"full", Polarization::full}},
       "none: light is unpolarised at every bounce (the paper's model, default); separate: s and p on their "
-      "own; full: exact")
-      ->type_name("MODEL");
+      "own; full: exact");
 }
 
 void add_effects(CLI::App& command, EffectsOptions& effects) {
@@ -171,7 +200,7 @@ void add_effects(CLI::App& command, EffectsOptions& effects) {
       command, "--effects", effects.automatic, {{"given", false}, {"auto", true}},
       "given: as the other options say (default); auto: the full physics within --tolerance, and no "
       "more than that takes");
-  choice->type_name("EFFECTS")->excludes("--polarization")->excludes("--max-bounces");
+  choice->excludes("--polarization")->excludes("--max-bounces");
   command.add_flag("--explain", effects.explain, "say what --effects auto would choose, and stop")
       ->needs(choice);
 }

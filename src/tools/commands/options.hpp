@@ -64,28 +64,44 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
 CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
                          const std::string& help);
 
+/// Adds --aperture, in degrees.
+void add_aperture(CLI::App& command, double& aperture_deg);
+
+/// Adds --aperture for one or several.
+void add_apertures(CLI::App& command, std::vector<double>& apertures_deg);
+
+/// Adds --wavelength, in nanometres; `wavelength_nm` is its default.
+void add_wavelength(CLI::App& command, double& wavelength_nm);
+
+/// Adds --wavelength for one or several, each on its own.
+CLI::Option* add_wavelengths(CLI::App& command, std::vector<double>& wavelengths_nm);
+
 /// The error for a word that an option does not accept.
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected);
 
-/// Adds an option that takes one of a few words.
-/// \param choices   the words and what they stand for
+/// Adds an option that takes one of a few words, which the help and shell completion then know.
+/// \param choices   the words, without capitals, and what they stand for; see choices_of()
 template <class Choice>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& value,
                         const std::vector<std::pair<std::string, Choice>>& choices, const std::string& help) {
-  return command.add_option_function<std::string>(
-      name,
-      [&value, name, choices](const std::string& word) {
-        std::string expected;
-        for (const auto& [known, choice] : choices) {
-          if (word == known) {
-            value = choice;
-            return;
-          }
-          expected += (expected.empty() ? "" : known == choices.back().first ? " or " : ", ") + known;
-        }
-        throw unexpected(name, word, expected);
-      },
-      help);
+  std::string words;
+  for (const auto& [word, choice] : choices) words += (words.empty() ? "" : "|") + word;
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&value, name, choices](const std::string& word) {
+            std::string expected;
+            for (const auto& [known, choice] : choices) {
+              if (word == known) {
+                value = choice;
+                return;
+              }
+              expected += (expected.empty() ? "" : known == choices.back().first ? " or " : ", ") + known;
+            }
+            throw unexpected(name, word, expected);
+          },
+          help)
+      ->type_name(words);
 }
 
 /// How a command prints its results.
@@ -93,6 +109,10 @@ enum class Format { md, csv, json };
 
 /// Adds --format.
 void add_format(CLI::App& command, Format& format);
+
+/// How the help shows the value of an option that takes a material, and of one that takes several.
+inline constexpr const char* material_placeholder = "M";
+inline constexpr const char* materials_placeholder = "M[,M...]";
 
 /// Adds --material.
 void add_material(CLI::App& command, std::string& specification);

@@ -49,6 +49,22 @@ std::uint64_t chunk_memory(const MapRequest& request) {
          (request.wavelengths_nm.size() + channels_beside_wavelengths) * sizeof(float);
 }
 
+/// Whether a file holds the image of this header, but for the command line. It may have more attributes.
+bool holds(const std::filesystem::path& path, ExrHeader expected) try {
+  const ExrHeader found = read_exr_header(path);
+  std::sort(expected.channels.begin(), expected.channels.end());
+  expected.attributes.erase("command");
+  return found.width == expected.width && found.height == expected.height &&
+         found.channels == expected.channels && found.number == expected.number &&
+         found.compression == expected.compression && found.primaries == expected.primaries &&
+         std::all_of(expected.attributes.begin(), expected.attributes.end(), [&](const auto& attribute) {
+           const auto at = found.attributes.find(attribute.first);
+           return at != found.attributes.end() && at->second == attribute.second;
+         });
+} catch (const std::runtime_error&) {  // no such file, or another kind of file
+  return false;
+}
+
 }  // namespace
 
 std::string map_file_name(const MapRequest& request) {
@@ -71,6 +87,12 @@ std::vector<MapFile> name_map_files(const std::vector<MapRequest>& requests, con
   }
   make_folder(out);
   return maps;
+}
+
+void leave_out_finished(std::vector<MapFile>& maps, const Storage& storage) {
+  std::erase_if(maps, [&storage](const MapFile& map) {
+    return holds(map.path, map_header(DiscMapper(map.request), storage));
+  });
 }
 
 void write_maps(const std::vector<MapFile>& maps, const Storage& storage, Progress& progress) {

@@ -29,6 +29,11 @@ std::string map_file_name(const MapRequest& request);
 /// std::runtime_error if the folder cannot be made.
 std::vector<MapFile> name_map_files(const std::vector<MapRequest>& requests, const std::string& out);
 
+/// Leaves out maps whose file holds them already: with the same size, channels and storage, and with all
+/// attributes that the map would get, the command line aside. Light and environment count as the same if they
+/// have the same name.
+void leave_out_finished(std::vector<MapFile>& maps, const Storage& storage);
+
 /// Computes maps and writes them, several small ones at a time, large ones one after the other. It
 /// takes about 1 GB of memory at most, for 32 rows of any size and channels fit into that. A failure leaves
 /// every file either as it was or complete. \param progress   advanced by the number of rows

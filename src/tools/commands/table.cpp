@@ -213,13 +213,8 @@ void add_table_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("table", "bi-hemispherical reflectance of grooves, every combination a row");
   add_materials(*command, options->materials);
-  add_numbers(*command, "--aperture", options->apertures_deg, aperture_range_deg,
-              "angles between the panels in degrees, above 0 to 180")
-      ->type_name("DEG[,DEG...]")
-      ->required();
-  add_numbers(*command, "--wavelength", options->wavelengths_nm, wavelength_range_nm,
-              "vacuum wavelengths in nanometres (default 550)")
-      ->type_name("NM[,NM...]");
+  add_apertures(*command, options->apertures_deg);
+  add_wavelengths(*command, options->wavelengths_nm);
   add_polarization(*command, options->polarization);
   add_max_bounces(*command, options->most_bounces);
   add_effects(*command, options->effects);

@@ -65,6 +65,12 @@ std::string to_csv(const TextTable& table, const std::vector<std::string>& prove
   return text;
 }
 
+std::string joined(const std::vector<std::string>& words, std::string_view separator) {
+  std::string text;
+  for (const std::string& word : words) text.append(text.empty() ? "" : separator).append(word);
+  return text;
+}
+
 std::string with_digits(double value, int significant_digits) {
   return converted(value, std::chars_format::general, significant_digits);
 }

@@ -22,6 +22,9 @@ std::string to_markdown(const TextTable& table);
 /// \param provenance   one line each
 std::string to_csv(const TextTable& table, const std::vector<std::string>& provenance);
 
+/// Words with a separator between each two.
+std::string joined(const std::vector<std::string>& words, std::string_view separator);
+
 /// A number with the given count of significant digits, trailing zeros included.
 std::string with_digits(double value, int significant_digits);
 

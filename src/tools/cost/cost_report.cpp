@@ -9,6 +9,7 @@
 
 #include "tools/colour/colour_difference.hpp"
 #include "tools/commands/text_table.hpp"
+#include "tools/cost/traced_reflectance.hpp"
 #include "tools/disc_map.hpp"
 #include "tools/facet.hpp"
 
@@ -89,17 +90,32 @@ double monte_carlo(const Cavity<double>& cavity, const Facet& facet, int rays, s
 }
 
 /// The error of a typical run, from several seeds; that of a single one would be a matter of luck.
-template <class Facet>
-double typical_monte_carlo_error(const Cavity<double>& cavity, const Facet& facet, int rays,
-                                 double expected) {
+template <class Estimate>
+double typical_error(double expected, Estimate&& estimate) {
   constexpr int runs = 32;
   double squares = 0;
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const double error = monte_carlo(cavity, facet, rays, seed) - expected;
+    const double error = estimate(seed) - expected;
     squares += error * error;
   }
   return std::sqrt(squares / runs);
 }
+
+#ifdef VCAVITY_TRACED_REFLECTANCE
+void add_tracer(CostSection& section, double aperture, const RefractiveIndex& index, double expected) {
+  const DiffuseTracer trace = diffuse_tracer(aperture, {index.n, index.k});
+  for (const int rays : {100, 1'000, 10'000}) {
+    const double error = typical_error(expected, [&](std::uint64_t seed) { return trace(rays, seed).mean; });
+    long long reflections = 0;
+    // Another seed for each repeat: the processor would learn the ways of equal rays.
+    std::uint64_t repeat = 0;
+    const double seconds = median_seconds([&] { reflections = trace(rays, ++repeat).reflections; });
+    section.rows.push_back({"Embree ray tracer", count("rays", rays), error, seconds, reflections});
+  }
+}
+#else
+void add_tracer(CostSection&, double, const RefractiveIndex&, double) {}
+#endif
 
 std::vector<Vec3<double>> map_directions() {
   std::vector<Vec3<double>> result;
@@ -160,7 +176,7 @@ PowerLaw power_law(const CostSection& section, const std::string& method) {
 CostSection cost_of_integrals(double aperture_deg, const RefractiveIndex& index) {
   const Cavity<double> cavity(radians(aperture_deg));
   const std::vector<double> expected{reference(aperture_deg, index, [](const auto& facet) { return facet; })};
-  CostSection section{"One bi-hemispherical reflectance", "absolute error", {}};
+  CostSection section{"Bi-hemispherical reflectance", "absolute error", {}};
   with_facet(index, [&](const auto& facet) {
     const auto add = [&](const char* method, const std::string& setting, auto&& compute) {
       section.rows.push_back(measure(method, setting, facet, expected, [&](const auto& counted) {
@@ -172,9 +188,13 @@ CostSection cost_of_integrals(double aperture_deg, const RefractiveIndex& index)
         return paper_method::bihemispherical_reflectance(cavity, f, steps, steps, 2 * steps);
       });
     for (const int rays : {1'000, 10'000, 100'000}) {
-      add("Monte Carlo", count("rays", rays), [&](const auto& f) { return monte_carlo(cavity, f, rays, 1); });
-      section.rows.back().error = typical_monte_carlo_error(cavity, facet, rays, expected.front());
+      std::uint64_t repeat = 0;  // as for the tracer
+      add("Monte Carlo", count("rays", rays),
+          [&](const auto& f) { return monte_carlo(cavity, f, rays, ++repeat); });
+      section.rows.back().error = typical_error(
+          expected.front(), [&](std::uint64_t seed) { return monte_carlo(cavity, facet, rays, seed); });
     }
+    add_tracer(section, cavity.aperture(), index, expected.front());
     for (const int steps : {8, 16, 32, 64, 128, 256})
       add("exact position, midpoint", count("steps", steps),
           [&](const auto& f) { return midpoint_over_directions(cavity, f, steps); });
@@ -195,9 +215,8 @@ CostSection cost_of_effects(double aperture_deg, const RefractiveIndex& index) {
   const std::vector<double> full{
       reference(aperture_deg, index, [](const auto& facet) { return polarized(facet); })};
   const std::vector<double> paper{reference(aperture_deg, index, [](const auto& facet) { return facet; })};
-  CostSection section{"Effects, in one bi-hemispherical reflectance",
-                      "absolute error: of models against full, of the rest against none with all bounces",
-                      {}};
+  CostSection section{
+      "Bi-hemispherical, effects", "absolute error; models against full, others against none", {}};
   with_facet(index, [&](const auto& facet) {
     for (const Polarization model : {Polarization::none, Polarization::separate, Polarization::full})
       with_polarization(model, facet, [&](const auto& in_model) {
@@ -213,11 +232,11 @@ CostSection cost_of_effects(double aperture_deg, const RefractiveIndex& index) {
   });
   const Cavity<float> narrow = in_float(cavity);
   const Conductor<float> facet(static_cast<float>(index.n), static_cast<float>(index.k));
-  section.rows.push_back(measure("precision", "float, tolerance 1e-6", facet, paper, [&](const auto& f) {
+  section.rows.push_back(measure("precision", "float, to 1e-6", facet, paper, [&](const auto& f) {
     return std::vector<double>{static_cast<double>(bihemispherical_reflectance(narrow, f, 1e-6f).value)};
   }));
-  section.rows.push_back(measure(
-      "precision", "double, tolerance 1e-6", Conductor<double>(index.n, index.k), paper, [&](const auto& f) {
+  section.rows.push_back(
+      measure("precision", "double, to 1e-6", Conductor<double>(index.n, index.k), paper, [&](const auto& f) {
         return std::vector<double>{bihemispherical_reflectance(cavity, f, 1e-6).value};
       }));
   return section;
@@ -228,7 +247,7 @@ CostSection cost_of_map(double aperture_deg, const RefractiveIndex& index) {
   const Cavity<double> cavity(radians(aperture_deg));
   const std::vector<double> expected =
       map_in_long_double(directions, aperture_deg, index, [](const auto& facet) { return facet; });
-  std::string title = "A map of ";
+  std::string title = "Map of ";
   CostSection section{
       title.append(std::to_string(directions.size())).append(" directions"), "largest absolute error", {}};
   with_facet(index, [&](const auto& facet) {
@@ -257,7 +276,7 @@ CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& ind
   const Cavity<double> cavity(radians(aperture_deg));
   const std::vector<double> expected =
       map_in_long_double(directions, aperture_deg, index, [](const auto& facet) { return polarized(facet); });
-  CostSection section{"Polarisation in the same map", "largest absolute error against full", {}};
+  CostSection section{"Map, polarisation", "largest absolute error against full", {}};
   with_facet(index, [&](const auto& facet) {
     for (const Polarization model : {Polarization::none, Polarization::separate, Polarization::full})
       with_polarization(model, facet, [&](const auto& in_model) {
@@ -275,7 +294,7 @@ CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& ind
 CostSection cost_of_wavelengths(double aperture_deg, const Material& material) {
   constexpr int low_nm = 400;
   constexpr int high_nm = 700;
-  CostSection section{"Colours of a map", "largest CIEDE2000 against steps of 1 nm", {}};
+  CostSection section{"Map, colours", "largest CIEDE2000 against steps of 1 nm", {}};
   if (material.constant() || material.range().min_um * 1000 > low_nm ||
       material.range().max_um * 1000 < high_nm)
     return section;
@@ -315,7 +334,7 @@ CostSection cost_of_wavelengths(double aperture_deg, const Material& material) {
   const Cavity<double> cavity(radians(aperture_deg));
   const Conductor<glm::dvec3> rgb(n, k);
   add(
-      "610, 550, 465 nm as R, G, B",
+      "610, 550, 465 nm",
       [&](const Vec3<double>& e) {
         const glm::dvec3 reflectance = directional_reflectance(cavity, e, rgb);
         return from_linear_srgb({reflectance.x, reflectance.y, reflectance.z});

@@ -19,8 +19,8 @@ struct CostSection {
 };
 
 /// Ways to one bi-hemispherical reflectance: the paper's midpoint rule, the same with the exact integral over
-/// the position, Monte Carlo, Gauss quadrature between the kinks, adaptive to a tolerance. The reference is
-/// the adaptive one in long double, to 1e-17.
+/// the position, Monte Carlo, the Embree ray tracer where that is built, Gauss quadrature between the kinks,
+/// adaptive to a tolerance. The reference is the adaptive one in long double, to 1e-17.
 CostSection cost_of_integrals(double aperture_deg, const RefractiveIndex& index);
 
 /// Effects in the same value: models of polarisation, cut-offs, float.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "tools/colour/colour.hpp"
+
 namespace vcavity::tools {
 namespace {
 
@@ -21,11 +23,6 @@ constexpr std::array<std::uint32_t, 52> viridis{
 
 std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
-}
-
-// IEC 61966-2-1.
-double srgb_encode(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
 double component(std::uint32_t colour, int shift) {
@@ -51,7 +48,7 @@ Rgba8 map_colour(ColourMap map, double value) {
 }
 
 Rgba8 srgb_pixel(double r, double g, double b) {
-  return {to_byte(srgb_encode(r)), to_byte(srgb_encode(g)), to_byte(srgb_encode(b)), 255};
+  return {to_byte(encode_srgb(r)), to_byte(encode_srgb(g)), to_byte(encode_srgb(b)), 255};
 }
 
 }  // namespace vcavity::tools

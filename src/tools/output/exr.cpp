@@ -52,6 +52,21 @@ Imf::Compression imf_compression(ExrCompression compression) {
   throw std::invalid_argument("unknown ExrCompression");
 }
 
+ExrCompression known_compression(Imf::Compression compression) {
+  for (const auto known : {ExrCompression::none, ExrCompression::rle, ExrCompression::zips,
+                           ExrCompression::zip, ExrCompression::piz})
+    if (imf_compression(known) == compression) return known;
+  throw std::runtime_error("its compression is not one of ours");
+}
+
+ExrNumber common_number(const Imf::ChannelList& channels) {
+  std::set<Imf::PixelType> types;
+  for (auto it = channels.begin(); it != channels.end(); ++it) types.insert(it.channel().type);
+  if (types == std::set{Imf::FLOAT}) return ExrNumber::float32;
+  if (types == std::set{Imf::HALF}) return ExrNumber::float16;
+  throw std::runtime_error("its channels are neither all floats nor all halves");
+}
+
 // Imf's default is Rec. 709. The others: ITU-R BT.2020-2, table 3.
 Imf::Chromaticities chromaticities(ExrPrimaries primaries) {
   if (primaries == ExrPrimaries::rec709) return {};
@@ -196,6 +211,25 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image, ExrNumb
   writer.write_rows(image.height, planes);
   writer.finish();
   file.commit();
+}
+
+ExrHeader read_exr_header(const std::filesystem::path& path) try {
+  const Imf::InputFile input(path.c_str());
+  const Imf::Header& header = input.header();
+  const Imath::V2i largest = header.dataWindow().size();
+  ExrHeader result{largest.x + 1,
+                   largest.y + 1,
+                   {},
+                   extract_attributes(header),
+                   common_number(header.channels()),
+                   known_compression(header.compression())};
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+    result.channels.emplace_back(it.name());
+  if (Imf::hasChromaticities(header) && Imf::chromaticities(header) == chromaticities(ExrPrimaries::rec2020))
+    result.primaries = ExrPrimaries::rec2020;
+  return result;
+} catch (const std::exception& error) {
+  throw std::runtime_error("cannot read '" + path.string() + "': " + error.what());
 }
 
 ExrImage read_exr(const std::filesystem::path& path) try {

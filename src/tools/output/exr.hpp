@@ -96,6 +96,10 @@ class ExrWriter {
 void write_exr(const std::filesystem::path& path, const ExrImage& image,
                ExrNumber number = ExrNumber::float32, ExrCompression compression = ExrCompression::piz);
 
+/// Reads everything about an image but its pixels; the channels come in alphabetical order.
+/// Throws std::runtime_error "cannot read 'PATH': REASON", also for an image that ExrHeader cannot describe.
+ExrHeader read_exr_header(const std::filesystem::path& path);
+
 /// Reads all channels as floats and the attributes of type string, float and double.
 /// Throws std::runtime_error "cannot read 'PATH': REASON".
 ExrImage read_exr(const std::filesystem::path& path);
