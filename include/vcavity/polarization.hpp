@@ -18,10 +18,9 @@
 ///
 /// in the axes of the reflected light: a is the mirror image of a, b the opposite of that of b, because a
 /// mirror swaps left and right. The field of a lobe is the product of the K of its bounces. Where e is normal
-/// to the panel r_p = r_s, and there is no need of a p̂; nor is there for light along the groove, the limit of
-/// grazing incidence in which every reflection is total.
+/// to the panel r_p = r_s, and there is no need of a p̂. For light exactly along the groove there is none: it
+/// counts as s light.
 
-#include <limits>
 #include <utility>
 
 #include "bounces.hpp"
@@ -122,12 +121,15 @@ class Polarized {
   template <class Value, class Real>
   static Jones<Value> jones(const Amplitudes<Value>& facet, const PanelImages<Real>& bounce) {
     using Scalar = scalar_t<Value>;
-    const Real p_a = bounce.along_component() * bounce.normal_component();
-    const Real p_b =
-        bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
-    const Real length2 = p_a * p_a + p_b * p_b;
+    Real p_a = bounce.along_component() * bounce.normal_component();
+    Real p_b = bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
+    const Real size = at_least(largest(p_a), largest(p_b));
     const Complex<Value> none{Value(0), Value(0)};
-    if (!(length2 >= std::numeric_limits<Real>::min())) return {facet.r_s, none, none, none - facet.r_s};
+    if (!(size > Real(0))) return {facet.r_s, none, none, none - facet.r_s};
+    // Almost along the groove both are so small that their squares would vanish.
+    p_a /= size;
+    p_b /= size;
+    const Real length2 = p_a * p_a + p_b * p_b;
     const Complex<Value> difference = facet.r_p - facet.r_s;
     const auto part = [&difference, inverse = Real(1) / length2](const Real& product) {
       return Value(static_cast<Scalar>(product * inverse)) * difference;
