@@ -127,7 +127,9 @@ class HemisphereQuadrature {
   static constexpr std::array<std::size_t, 7> orders_across{2, 3, 5, 8, 12, 18, 27};
   static constexpr std::size_t probes = 3;             // angles θ' at which the order in ψ is chosen
   static Scalar probe_margin() { return Scalar(10); }  // by which other angles θ' may be worse than those
-  static constexpr int most_halvings = 40;             // of one cell
+  /// Two low orders agree by chance if the one before was off by more than this many tolerances.
+  static Scalar chance_agreement() { return Scalar(1000); }
+  static constexpr int most_halvings = 40;  // of one cell
   static constexpr long long most_evaluations = 50'000'000;
 
   /// Adds the integral over one cell, halved along the angle in which the highest order does not suffice.
@@ -147,11 +149,13 @@ class HemisphereQuadrature {
     Scalar difference(0);
     for (const std::size_t order : orders_across) {
       const Value previous = value;
+      const Scalar previous_difference = difference;
       value = integrate(cell.theta_low, cell.theta_high, order,
                         [&](const Real& theta) { return integrate_along(cell, theta, along.order); });
       difference = distance(value, previous);
-      if (order > orders_across[1] && difference <= at_least(Scalar(tolerance / Scalar(2)), rounding(value)))
-        break;
+      const Scalar allowed = at_least(Scalar(tolerance / Scalar(2)), rounding(value));
+      const bool by_chance = order <= orders_across[2] && previous_difference > chance_agreement() * allowed;
+      if (order > orders_across[1] && difference <= allowed && !by_chance) break;
     }
     if (may_halve && difference > at_least(Scalar(tolerance / Scalar(2)), rounding(value))) {
       const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
