@@ -6,9 +6,14 @@
 #include <fstream>
 #include <string>
 
+#include "accuracy/bounds.hpp"
+#include "accuracy/long_ways.hpp"
 #include "accuracy/subjects.hpp"
+#include "accuracy/worst_arguments.hpp"
+#include "accuracy/worst_case.hpp"
 #include "support/catch.hpp"
 
+using namespace vcavity;
 using namespace vcavity::test;
 
 TEMPLATE_LIST_TEST_CASE("errors stay within their bounds at the worst arguments ever found", "",
@@ -42,4 +47,16 @@ TEMPLATE_LIST_TEST_CASE("a short search finds no error beyond its bound", "", Ha
     CHECK(worst.error.epsilons <= worst.error.bound);
     CHECK_FALSE(subject.actual(worst.arguments).empty());
   }
+}
+
+TEMPLATE_LIST_TEST_CASE("after 18 000 bounces the errors are within their bounds", "", HardwareReals) {
+  using Real = TestType;
+  LongWayErrors errors;
+  vcavity::test::detail::follow(Vec3<Real>{Real(0), Real(0), Real(1)}, errors);
+  REQUIRE(errors.cosine.size() >= 18000);
+  CHECK(*std::max_element(errors.cosine.begin(), errors.cosine.end()) <= direction_bound);
+  for (std::size_t j = 0; j < errors.throughput.size(); ++j)
+    REQUIRE(errors.throughput[j] <= product_bound(static_cast<int>(j) + 1));
+  // Without compensation the same recurrence drifts.
+  CHECK(*std::max_element(errors.plain_turn.begin(), errors.plain_turn.end()) > direction_bound);
 }
