@@ -136,6 +136,7 @@ struct RefractedWave {
   Value sum_norm() const { return c * c + Real(2) * (c * w.re) + w_norm; }
 
   /// |c − w|²|c + w|², which is |m|²; that is less exact where c and w are of unlike size.
+  /// From |w|² = 3c² on the difference cancels so little that it is the better one.
   Value difference_norm(const Value& contrast_norm) const {
     const Value c2 = c * c;
     const Value real = c2 - w_norm;

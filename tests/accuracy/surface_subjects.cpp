@@ -28,8 +28,8 @@ Wide crossed_strings(const Wide& aperture, const Wide& grey) {
   return sum;
 }
 
-/// Diffuse reflectance of a plane of index n > 1: Walsh's formula, in Duntley, "The optical properties of
-/// diffusing materials", J. Opt. Soc. Am. 32 (1942), Eq. (25).
+/// Diffuse reflectance of a plane of index n > 1: Walsh's formula, as in Duntley, "The optical properties of
+/// diffusing materials", J. Opt. Soc. Am. 32, 61 (1942).
 template <class Wide>
 Wide walsh(const Wide& n) {
   using std::log;
