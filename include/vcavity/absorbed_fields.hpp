@@ -38,6 +38,9 @@ struct AbsorbedPower {
   friend AbsorbedPower operator*(const value_type& s, const AbsorbedPower& a) {
     return {s * a.aa, s * a.bb, {s * a.ab.re, s * a.ab.im}};
   }
+  friend AbsorbedPower operator*(const Value& s, const AbsorbedPower& a) requires(!Number<Value>) {
+    return {s * a.aa, s * a.bb, s * a.ab};
+  }
 };
 
 /// The part of unpolarised light that is absorbed.

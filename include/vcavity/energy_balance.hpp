@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "pack.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -37,7 +38,8 @@ struct EnergyBalance {
   friend EnergyBalance operator*(const value_type& s, const EnergyBalance& a) {
     return {s * a.reflected, s * a.absorbed};
   }
-  friend EnergyBalance operator*(const Value& s, const EnergyBalance& a) requires(!Number<Value>) {
+  template <class Real, std::size_t size, std::size_t bytes>
+  friend EnergyBalance operator*(const Pack<Real, size, bytes>& s, const EnergyBalance& a) {
     return {s * a.reflected, s * a.absorbed};
   }
   friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }

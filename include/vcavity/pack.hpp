@@ -33,20 +33,20 @@ inline constexpr std::size_t register_bytes = 16;
 #endif
 
 /// As many numbers as an instruction takes: a vector register, or a single number where there is none.
-template <class Real, std::size_t size>
+template <class Real, std::size_t size, std::size_t most_bytes>
 struct Register {
   using type = Real;
   static constexpr std::size_t width = 1;
 };
 
 #if defined(__GNUC__)
-template <class Real, std::size_t size>
+template <class Real, std::size_t size, std::size_t most_bytes>
 requires((std::is_same_v<Real, float> || std::is_same_v<Real, double>)&&size >
-         1) struct Register<Real, size> {
+         1) struct Register<Real, size, most_bytes> {
   // No wider than the pack, rounded up to a power of two.
   static constexpr std::size_t bytes() {
     std::size_t result = 2 * sizeof(Real);
-    while (result < size * sizeof(Real) && result < register_bytes) result *= 2;
+    while (result < size * sizeof(Real) && result < most_bytes) result *= 2;
     return result;
   }
   typedef Real type __attribute__((vector_size(bytes()), may_alias));
@@ -56,12 +56,19 @@ requires((std::is_same_v<Real, float> || std::is_same_v<Real, double>)&&size >
 
 }  // namespace detail
 
+/// How many numbers fit into a vector register: the size of pack that is fastest.
+template <class Real>
+inline constexpr std::size_t native_lanes = std::max<std::size_t>(detail::register_bytes / sizeof(Real), 1);
+
 /// @tparam Real number type of a component
 /// @tparam size number of components, at least 1
-template <class Real, std::size_t size>
+/// @tparam most_bytes size of the vector registers; part of the type, so that code for different instruction
+/// sets can
+///         be linked into one program
+template <class Real, std::size_t size, std::size_t most_bytes = detail::register_bytes>
 class Pack {
-  using Register = typename detail::Register<Real, size>::type;
-  static constexpr std::size_t width = detail::Register<Real, size>::width;
+  using Register = typename detail::Register<Real, size, most_bytes>::type;
+  static constexpr std::size_t width = detail::Register<Real, size, most_bytes>::width;
   static constexpr std::size_t registers = (size + width - 1) / width;
 
  public:
@@ -75,7 +82,14 @@ class Pack {
   }
 
   explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
-    for (std::size_t i = 0; i < size; ++i) (*this)[i] = components[i];
+    std::copy(components.begin(), components.end(), begin());
+  }
+
+  /// The `size` components that start at an address.
+  static Pack load(const Real* components) {
+    Pack result(components[size - 1]);
+    std::memcpy(result.registers_, components, size * sizeof(Real));
+    return result;
   }
 
   Real& operator[](std::size_t i) { return begin()[i]; }

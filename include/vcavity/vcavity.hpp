@@ -27,6 +27,7 @@
 #include "von_mises_fisher.hpp"
 // Light as a transverse wave: the same with polarisation.
 #include "absorbed_fields.hpp"
+#include "itinerary.hpp"
 #include "jones.hpp"
 #include "mueller.hpp"
 #include "polarization.hpp"

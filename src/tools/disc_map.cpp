@@ -21,12 +21,6 @@
 namespace vcavity::tools {
 namespace {
 
-// Wavelengths that are computed together; two registers of AVX2.
-template <class Real>
-constexpr std::size_t pack_size = 64 / sizeof(Real);
-template <class Real>
-using Wavelengths = Pack<Real, pack_size<Real>>;
-
 std::string in_words(Quantity quantity) {
   switch (quantity) {
     case Quantity::bounces:
@@ -55,9 +49,7 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
 }
 
 DiscMapper::DiscMapper(MapRequest request)
-    : request_(std::move(request)),
-      cavity_(radians(request_.aperture_deg)),
-      cavity_in_single_(std::min(static_cast<float>(cavity_.aperture()), pi<float>())) {
+    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
   if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
     throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
   for (const double wavelength_nm : request_.wavelengths_nm)
@@ -127,55 +119,18 @@ ExrAttributes DiscMapper::attributes() const {
   return result;
 }
 
-template <class Real, class Facet>
-value_t<Facet, Real> DiscMapper::quantity_of(const Cavity<Real>& cavity, const Facet& facet,
-                                             const Vec3<double>& direction) const {
-  using Value = value_t<Facet, Real>;
-  const Vec3<Real> e(direction);
-  return with_polarization(request_.polarization, facet, [&](const auto& model) -> Value {
-    if (request_.quantity == Quantity::absorptance)
-      return unpolarized(directional_absorptance(cavity, e, model));
-    const auto reflectance = directional_reflectance(cavity, e, model, request_.most_bounces);
-    if constexpr (requires { diattenuation(reflectance); })
-      if (request_.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
-    return unpolarized(reflectance);
-  });
-}
-
-// A pack of wavelengths at a time.
-template <class Real>
-void DiscMapper::fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e,
-                               std::vector<double>& spectrum) const {
-  spectrum.resize(indices_.size());
-  for (std::size_t start = 0; start < indices_.size(); start += pack_size<Real>) {
-    const std::size_t count = std::min(pack_size<Real>, indices_.size() - start);
-    Wavelengths<Real> n(1);
-    Wavelengths<Real> k(0);
-    for (std::size_t i = 0; i < count; ++i) {
-      n[i] = static_cast<Real>(indices_[start + i].n);
-      k[i] = static_cast<Real>(indices_[start + i].k);
-    }
-    const Wavelengths<Real> values = quantity_of(cavity, Conductor<Wavelengths<Real>>(n, k), e);
-    std::copy_n(values.begin(), count, spectrum.begin() + static_cast<std::ptrdiff_t>(start));
-  }
-}
-
-// Valid until the next call on the same thread.
-const std::vector<double>& DiscMapper::spectrum(const Vec3<double>& e) const {
-  thread_local std::vector<double> values;
-  if (request_.precision == Precision::single_precision) {
-    fill_spectrum(cavity_in_single_, e, values);
-  } else if (indices_.size() > 1) {
-    fill_spectrum(cavity_, e, values);
-  } else {
-    values.assign(
-        1, with_facet(indices_.front(), [&](const auto& facet) { return quantity_of(cavity_, facet, e); }));
-  }
+// For each direction, all with e.y ≥ 0, the values at all wavelengths.
+std::vector<double> DiscMapper::spectra(std::span<const Vec3<double>> directions) const {
+  std::vector<double> values(directions.size() * indices_.size());
+  run_kernel({cavity_.aperture(), request_.quantity, request_.polarization, request_.most_bounces, indices_,
+              directions, values},
+             request_.precision);
   return values;
 }
 
 Xyz DiscMapper::colour(const Vec3<double>& e) const {
-  return weights_->colour(spectrum(e));
+  const Vec3<double> direction{e.x, std::abs(e.y), e.z};
+  return weights_->colour(spectra({&direction, 1}));
 }
 
 // A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
@@ -193,39 +148,41 @@ glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
   });
 }
 
-void DiscMapper::fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const {
+// What the kernels do not compute.
+void DiscMapper::fill_from_lobes(const Vec3<double>& e, std::vector<float>& pixel) const {
   pixel.clear();
   const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
-  if (request_.quantity == Quantity::bounces) {
-    int least = std::numeric_limits<int>::max();
-    int most = 0;
-    double mean = 0;
-    for (const auto& lobe : lobes(cavity_, e, [](double) { return 1.0; })) {
-      least = std::min(least, lobe.bounces);
-      most = std::max(most, lobe.bounces);
-      mean += lobe.weight * lobe.bounces;
-    }
-    for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
-    return;
-  }
   if (request_.environment) {
     const glm::dvec3 radiance = reflected_radiance(e);
     for (const double value : {radiance.x, radiance.y, radiance.z, 1.0}) add(value);
     return;
   }
-  const std::vector<double>& values = spectrum(e);
-  if (values.size() == 1) {
-    add(values.front());
+  int least = std::numeric_limits<int>::max();
+  int most = 0;
+  double mean = 0;
+  for (const auto& lobe : lobes(cavity_, e, [](double) { return 1.0; })) {
+    least = std::min(least, lobe.bounces);
+    most = std::max(most, lobe.bounces);
+    mean += lobe.weight * lobe.bounces;
+  }
+  for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
+}
+
+void DiscMapper::fill_pixel(std::span<const double> spectrum, std::vector<float>& pixel) const {
+  pixel.clear();
+  const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
+  if (spectrum.size() == 1) {
+    add(spectrum.front());
     add(1);
     return;
   }
   if (weights_) {
-    const LinearRgb colour = to_linear_rgb(weights_->colour(values), request_.viewing.rgb);
+    const LinearRgb colour = to_linear_rgb(weights_->colour(spectrum), request_.viewing.rgb);
     for (const double value : {colour.r, colour.g, colour.b}) add(value);
   }
   add(1);
   if (request_.spectrum == Spectrum::written)
-    for (const double value : values) add(value);
+    for (const double value : spectrum) add(value);
 }
 
 std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const {
@@ -234,18 +191,29 @@ std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const 
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
   };
   std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
+  // The groove is its own mirror image: the right half of a row tells the left half, unless the light
+  // differs.
+  const int first_column = request_.environment ? 0 : size / 2;
   tbb::parallel_for(0, rows, [&](int row) {
     thread_local std::vector<float> pixel;
-    // The groove is its own mirror image: the left half of a row tells the right half, under any light that
-    // is symmetric too.
-    const bool symmetric = !request_.environment;
-    for (int column = 0; column < (symmetric ? (size + 1) / 2 : size); ++column) {
-      const auto e = pixel_direction(column, first_row + row, size);
-      if (!e) continue;
-      fill_pixel(*e, pixel);
+    std::vector<Vec3<double>> directions;
+    std::vector<int> columns;
+    for (int column = first_column; column < size; ++column) {
+      if (const auto e = pixel_direction(column, first_row + row, size)) {
+        directions.push_back(*e);
+        columns.push_back(column);
+      }
+    }
+    const bool by_kernel = !request_.environment && request_.quantity != Quantity::bounces;
+    const std::vector<double> values = by_kernel ? spectra(directions) : std::vector<double>{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (by_kernel)
+        fill_pixel({&values[i * indices_.size()], indices_.size()}, pixel);
+      else
+        fill_from_lobes(directions[i], pixel);
       for (std::size_t channel = 0; channel < planes.size(); ++channel) {
-        planes[channel][at(row, column)] = pixel[channel];
-        if (symmetric) planes[channel][at(row, size - 1 - column)] = pixel[channel];
+        planes[channel][at(row, columns[i])] = pixel[channel];
+        if (!request_.environment) planes[channel][at(row, size - 1 - columns[i])] = pixel[channel];
       }
     }
   });

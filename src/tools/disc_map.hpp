@@ -10,21 +10,19 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vcavity/cavity.hpp>
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
 #include "tools/environment.hpp"
-#include "tools/facet.hpp"
+#include "tools/kernel/kernel.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/output/exr.hpp"
 #include "tools/output/progress.hpp"
 
 namespace vcavity::tools {
-
-/// What a map shows.
-enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance };
 
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
@@ -41,9 +39,6 @@ struct Storage {
   ExrNumber number = ExrNumber::float32;
   ExrCompression compression = ExrCompression::piz;
 };
-
-/// The numbers a map is computed with.
-enum class Precision { double_precision, single_precision };
 
 /// A map to be computed.
 struct MapRequest {
@@ -99,17 +94,12 @@ class DiscMapper {
   std::vector<std::vector<float>> rows(int first_row, int rows) const;
 
  private:
-  template <class Real, class Facet>
-  value_t<Facet, Real> quantity_of(const Cavity<Real>& cavity, const Facet& facet,
-                                   const Vec3<double>& e) const;
-  template <class Real>
-  void fill_spectrum(const Cavity<Real>& cavity, const Vec3<double>& e, std::vector<double>& spectrum) const;
-  const std::vector<double>& spectrum(const Vec3<double>& e) const;
-  void fill_pixel(const Vec3<double>& e, std::vector<float>& pixel) const;
+  std::vector<double> spectra(std::span<const Vec3<double>> directions) const;
+  void fill_pixel(std::span<const double> spectrum, std::vector<float>& pixel) const;
+  void fill_from_lobes(const Vec3<double>& e, std::vector<float>& pixel) const;
 
   MapRequest request_;
   Cavity<double> cavity_;
-  Cavity<float> cavity_in_single_;
   std::vector<RefractiveIndex> indices_;
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;

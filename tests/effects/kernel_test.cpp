@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/kernel/kernel.hpp"
+
+#include <cmath>
+#include <vcavity/vcavity.hpp>
+#include <vector>
+
+#include "support/catch.hpp"
+
+using namespace vcavity;
+using namespace vcavity::tools;
+
+namespace {
+
+std::vector<Vec3<double>> directions_to_the_right() {
+  std::vector<Vec3<double>> result{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {std::sqrt(0.5), 0, std::sqrt(0.5)}};
+  for (int i = 0; i < 203; ++i) result.push_back(direction(0.0077 * i, -1.5 + 0.0149 * i));
+  return result;
+}
+
+/// Metals and dielectrics.
+std::vector<RefractiveIndex> indices(int count) {
+  std::vector<RefractiveIndex> result;
+  for (int i = 0; i < count; ++i) result.push_back({0.1 + 0.2 * i, i % 3 == 2 ? 0.0 : 4 - 0.3 * i});
+  return result;
+}
+
+const std::vector<double> apertures_deg{3, 45, 60, 107, 180};
+
+template <class Check>
+void for_each_job(const std::vector<RefractiveIndex>& indices, Check&& check) {
+  const std::vector<Vec3<double>> directions = directions_to_the_right();
+  std::vector<double> values(directions.size() * indices.size());
+  for (const double aperture_deg : apertures_deg)
+    for (const Polarization polarization : {Polarization::none, Polarization::separate, Polarization::full})
+      for (const Quantity quantity :
+           {Quantity::reflectance, Quantity::absorptance, Quantity::degree_of_polarization})
+        for (const int most_bounces : {2, all_bounces}) {
+          if (quantity == Quantity::degree_of_polarization && polarization == Polarization::none) continue;
+          CAPTURE(aperture_deg, indices.size(), static_cast<int>(polarization), static_cast<int>(quantity));
+          check(KernelJob{radians(aperture_deg), quantity, polarization, most_bounces, indices, directions,
+                          values});
+        }
+}
+
+/// The same by the library, a direction and a wavelength at a time.
+double expected(const KernelJob& job, const Vec3<double>& e, const RefractiveIndex& index) {
+  const Cavity<double> cavity(job.aperture);
+  return with_facet(index, [&](const auto& facet) {
+    return with_polarization(job.polarization, facet, [&](const auto& model) -> double {
+      if (job.quantity == Quantity::absorptance)
+        return unpolarized(directional_absorptance(cavity, e, model));
+      const auto reflectance = directional_reflectance(cavity, e, model, job.most_bounces);
+      if constexpr (requires { diattenuation(reflectance); })
+        if (job.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
+      return unpolarized(reflectance);
+    });
+  });
+}
+
+}  // namespace
+
+TEST_CASE("kernels compute what the library does, in packs of directions and of wavelengths") {
+  for (const int wavelengths : {1, 11})
+    for_each_job(indices(wavelengths), [&](const KernelJob& job) {
+      double worst = 0, worst_in_single = 0;
+      const auto largest_error = [&] {
+        double result = 0;
+        for (std::size_t i = 0; i < job.values.size(); ++i)
+          result =
+              std::max(result, std::abs(job.values[i] - expected(job, job.directions[i / job.indices.size()],
+                                                                 job.indices[i % job.indices.size()])));
+        return result;
+      };
+      run_kernel(job, Precision::double_precision);
+      worst = largest_error();
+      run_kernel(job, Precision::single_precision);
+      worst_in_single = largest_error();
+      CHECK(worst < 1e-11);
+      CHECK(worst_in_single < 2e-3);
+    });
+}
+
+TEST_CASE("the kernels of all instruction sets give the same numbers, bit for bit") {
+  REQUIRE(!kernels().empty());
+  for (const int wavelengths : {1, 11})
+    for_each_job(indices(wavelengths), [&](const KernelJob& job) {
+      for (const auto which : {&Kernel::in_double, &Kernel::in_single}) {
+        (kernels().front().*which)(job);
+        const std::vector<double> baseline(job.values.begin(), job.values.end());
+        for (const Kernel& kernel : kernels()) {
+          (kernel.*which)(job);
+          CAPTURE(std::string(kernel.instruction_set));
+          CHECK(std::equal(baseline.begin(), baseline.end(), job.values.begin()));
+        }
+      }
+    });
+}
