@@ -6,8 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace vcavity::bench {
 
@@ -31,17 +33,17 @@ inline void count_items(benchmark::State& state, std::size_t per_pass) {
                           static_cast<std::int64_t>(per_pass));
 }
 
-/// Times `compute` of each input, one after the other.
-/// @param lanes how many items an input holds
+/// Times `compute` of all inputs, one after the other.
+/// @param items how many things that computes
 template <class Input, class Compute>
-void run_over(benchmark::State& state, const std::vector<Input>& inputs, std::size_t lanes,
+void run_over(benchmark::State& state, const std::vector<Input>& inputs, std::size_t items,
               const Compute& compute) {
   for (auto _ : state)
     for (const Input& input : inputs) {
       auto result = compute(input);
       benchmark::DoNotOptimize(result);
     }
-  count_items(state, inputs.size() * lanes);
+  count_items(state, items);
 }
 
 }  // namespace vcavity::bench

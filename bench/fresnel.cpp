@@ -9,13 +9,11 @@ namespace {
 
 template <std::size_t lanes, class Real, class Facet>
 void add(const std::string& material, const std::vector<Real>& cosines, const Facet& facet) {
+  const auto inputs = packed<lanes>(cosines);
   const std::string name = name_of("fresnel", material, type_name<Real>, std::to_string(lanes));
   benchmark::RegisterBenchmark(name.c_str(),
-                               [cosines, facets = over_directions<lanes>(facet)](benchmark::State& state) {
-                                 if constexpr (lanes == 1)
-                                   run_over(state, cosines, lanes, facets);
-                                 else
-                                   run_over(state, packed<lanes>(cosines), lanes, facets);
+                               [inputs, facets = over_directions<lanes>(facet)](benchmark::State& state) {
+                                 run_over(state, inputs, inputs.size() * lanes, facets);
                                });
 }
 
@@ -24,7 +22,7 @@ void add_pack_widths(const std::string& material, const Facet& facet) {
   const Cavity<Real> groove(radians(Real(60)));
   const std::vector<Real> cosines = recorded_cosines(groove, map_directions<Real>(), facet);
   add<1>(material, cosines, facet);
-  add<pack_lanes<Real> / 2>(material, cosines, facet);
+  add<native_lanes<Real>>(material, cosines, facet);
   add<pack_lanes<Real>>(material, cosines, facet);
 }
 

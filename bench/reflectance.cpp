@@ -13,30 +13,30 @@ auto reflectance_of(const Cavity<scalar_t<Real>>& groove, const Facet& facet) {
       [groove, facet](const Vec3<Real>& e) { return unpolarized(directional_reflectance(groove, e, facet)); };
 }
 
-/// One groove, number type and number of directions at once, in all models of polarisation.
+/// One groove, number type and number of directions at once, in all models of polarisation. All times are for
+/// one direction, those of its Fresnel evaluations alone too.
 template <std::size_t lanes, class Real, class Facet>
 void add(const std::string& material, const std::string& aperture_deg, const Facet& scalar_facet) {
-  const auto name = [&](const char* group, const char* model) {
-    return name_of(group, material, aperture_deg, type_name<Real>, std::to_string(lanes), model);
+  const auto directions = packed<lanes>(map_directions<Real>());
+  const std::size_t count = directions.size() * lanes;
+  using Reals = typename decltype(directions)::value_type::value_type;
+  const Cavity<Real> groove(radians(Real(std::stod(aperture_deg))));
+  const auto facet = over_directions<lanes>(scalar_facet);
+  const auto cosines = recorded_cosines(groove, directions, facet);
+
+  const auto add_over = [&](const char* group, const char* model, const auto& inputs, const auto& compute) {
+    const std::string name =
+        name_of(group, material, aperture_deg, type_name<Real>, std::to_string(lanes), model);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+      run_over(state, inputs, count, compute);
+      state.counters["evaluations"] =
+          static_cast<double>(cosines.size() * lanes) / static_cast<double>(count);
+    });
   };
-  const auto add_over = [](const std::string& full_name, const auto& inputs, const auto& compute) {
-    benchmark::RegisterBenchmark(full_name.c_str(),
-                                 [=](benchmark::State& state) { run_over(state, inputs, lanes, compute); });
-  };
-  const auto add_all = [&](const auto& directions) {
-    using Reals = typename std::decay_t<decltype(directions.front())>::value_type;
-    const Cavity<Real> groove(radians(Real(std::stod(aperture_deg))));
-    const auto facet = over_directions<lanes>(scalar_facet);
-    add_over(name("fresnel_of_reflectance", "none"), recorded_cosines(groove, directions, facet), facet);
-    add_over(name("reflectance", "none"), directions, reflectance_of<Reals>(groove, facet));
-    add_over(name("reflectance", "separate"), directions,
-             reflectance_of<Reals>(groove, separately_polarized(facet)));
-    add_over(name("reflectance", "full"), directions, reflectance_of<Reals>(groove, polarized(facet)));
-  };
-  if constexpr (lanes == 1)
-    add_all(map_directions<Real>());
-  else
-    add_all(packed<lanes>(map_directions<Real>()));
+  add_over("fresnel_of_reflectance", "none", cosines, facet);
+  add_over("reflectance", "none", directions, reflectance_of<Reals>(groove, facet));
+  add_over("reflectance", "separate", directions, reflectance_of<Reals>(groove, separately_polarized(facet)));
+  add_over("reflectance", "full", directions, reflectance_of<Reals>(groove, polarized(facet)));
 }
 
 /// Narrow grooves: time, and evaluations of the facet if every bounce is followed.
@@ -47,7 +47,7 @@ void add_growth(const std::string& aperture_deg) {
       static_cast<double>(recorded_cosines(groove, directions, silver<double>()).size()) /
       static_cast<double>(directions.size());
   benchmark::RegisterBenchmark(name_of("growth/silver", aperture_deg).c_str(), [=](benchmark::State& state) {
-    run_over(state, directions, 1, reflectance_of<double>(groove, silver<double>()));
+    run_over(state, directions, directions.size(), reflectance_of<double>(groove, silver<double>()));
     state.counters["bounces"] = groove.max_bounces();
     state.counters["evaluations"] = evaluations;
   });

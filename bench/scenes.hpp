@@ -39,26 +39,30 @@ std::vector<Vec3<Real>> map_directions() {
   return result;
 }
 
-/// Consecutive numbers in packs; a last incomplete pack is left out.
-template <std::size_t lanes, class Real>
-std::vector<Pack<Real, lanes>> packed(const std::vector<Real>& numbers) {
-  std::vector<Pack<Real, lanes>> result(numbers.size() / lanes);
-  for (std::size_t i = 0; i < result.size() * lanes; ++i) result[i / lanes][i % lanes] = numbers[i];
-  return result;
+/// Consecutive numbers in packs; a last incomplete pack is left out. One by one they stay numbers.
+template <std::size_t lanes, Number Real>
+auto packed(const std::vector<Real>& numbers) {
+  if constexpr (lanes == 1) {
+    return numbers;
+  } else {
+    std::vector<Pack<Real, lanes>> result;
+    for (std::size_t i = 0; i + lanes <= numbers.size(); i += lanes)
+      result.push_back(Pack<Real, lanes>::load(&numbers[i]));
+    return result;
+  }
 }
 
-/// Consecutive directions in packs; a last incomplete pack is left out.
+/// The same for directions.
 template <std::size_t lanes, class Real>
-std::vector<Vec3<Pack<Real, lanes>>> packed(const std::vector<Vec3<Real>>& directions) {
-  std::vector<Vec3<Pack<Real, lanes>>> result(directions.size() / lanes);
-  for (std::size_t i = 0; i < result.size() * lanes; ++i) {
-    auto& pack = result[i / lanes];
-    const Vec3<Real>& e = directions[i];
-    pack.x[i % lanes] = e.x;
-    pack.y[i % lanes] = e.y;
-    pack.z[i % lanes] = e.z;
+auto packed(const std::vector<Vec3<Real>>& directions) {
+  if constexpr (lanes == 1) {
+    return directions;
+  } else {
+    std::vector<Vec3<Pack<Real, lanes>>> result(directions.size() / lanes);
+    for (std::size_t i = 0; i < result.size() * lanes; ++i)
+      for (int axis = 0; axis < 3; ++axis) result[i / lanes][axis][i % lanes] = directions[i][axis];
+    return result;
   }
-  return result;
 }
 
 /// The cosines of incidence, in the order in which the reflectance of these directions asks for them.
@@ -84,9 +88,9 @@ auto over_directions(const Facet& facet) {
     return facet.template over_directions<lanes>();
 }
 
-/// As many numbers as fit into two vector registers of 16 bytes, which every x86-64 processor has.
+/// Two vector registers: with one, the latency of one operation delays the next.
 template <class Real>
-constexpr std::size_t pack_lanes = 32 / sizeof(Real);
+constexpr std::size_t pack_lanes = 2 * native_lanes<Real>;
 
 template <class Real>
 constexpr const char* type_name = sizeof(Real) == sizeof(float) ? "float" : "double";

@@ -60,9 +60,16 @@ def digits(value):
 
 
 def short(seconds):
-    for unit, name in ((1, "s"), (1e-3, "ms"), (1e-6, "µs")):
-        if seconds >= unit or name == "µs":
-            return f"{seconds / unit:.2g} {name}" if seconds < 100 * unit else f"{seconds / unit:.0f} {name}"
+    return f"{seconds * 1e3:.2g} ms" if seconds > 1e-3 else f"{seconds * 1e6:.3g} µs"
+
+
+def times(factor):
+    """A factor that is known roughly."""
+    return f"{factor:.2g}" if factor < 100 else f"{factor:,.0f}" if factor < 1e5 else power_of_ten(factor)
+
+
+def power_of_ten(value):
+    return re.sub(r"e([-+])0?", lambda match: "e" + match.group(1).strip("+"), f"{value:.0e}")
 
 
 def lanes_in_words(lanes):
@@ -84,11 +91,11 @@ def reflectance(results):
     for material, aperture, number, lanes in results.names(r"reflectance/(\w+)/(\d+)/(\w+)/(\d+)/none"):
         case = (material, aperture, number, lanes)
         facet = results.nanoseconds("fresnel_of_reflectance", *case, "none")
-        evaluations = (results.row("reflectance", *case, "none")["evaluations"])
+        evaluations = results.row("reflectance", *case, "none")["evaluations"]
         none, separate, full = (results.nanoseconds("reflectance", *case, model)
                                 for model in ("none", "separate", "full"))
         rows.append([material, f"{aperture}°", number, lanes_in_words(lanes), f"{evaluations:.2f}", digits(none),
-                     digits(none / (facet * evaluations)), digits(separate / none), digits(full / none)])
+                     digits(none / facet), digits(separate / none), digits(full / none)])
     return ("## Directional reflectance\n\nTime per direction, over the directions of a map. *Evaluations*: of the facet, "
             "for one direction. *Overhead*: the time against that of nothing but these evaluations, at the same "
             "cosines. *separate* and *full*: the models of polarisation against none.\n\n" +
@@ -101,12 +108,12 @@ def growth(results):
     for aperture, in results.names(r"growth/silver/([\d.]+)"):
         row = results.row("growth/silver", aperture)
         time = results.nanoseconds("growth/silver", aperture)
-        rows.append([f"{aperture}°", f"{row['bounces']:.0f}", f"{row['evaluations']:.1f}", digits(time),
-                     digits(time * float(aperture))])
+        rows.append([f"{aperture}°", f"{row['bounces']:.0f}", f"{row['evaluations']:.1f}", digits(time / 1e3),
+                     digits(time / 1e3 * float(aperture))])
     return ("## Narrow grooves\n\nDirectional reflectance of silver in double, one by one. *Bounces*: at most. "
             "*Evaluations*: of the facet for one direction, if every bounce is followed. The last column would be "
             "constant if time grew like 1/α.\n\n" +
-            table(["aperture α", "bounces", "evaluations", "ns", "ns × α/1°"], rows))
+            table(["aperture α", "bounces", "evaluations", "µs", "µs × α/1°"], rows))
 
 
 def bihemispherical(results):
@@ -132,8 +139,8 @@ def maps(results, core_counts):
             computing, command = time("values_and_colour"), time("command")
             colour = time("colour") if count != "1" else 0
             storing, writing = time("writing_uncompressed"), time("writing")
-            rows.append([count, cores, *map(digits, (computing - colour, colour, max(writing - storing, 0), storing,
-                                                     command, command / writing))])
+            rows.append([count, cores, digits(computing - colour), digits(colour) if colour else "",
+                         *map(digits, (writing - storing, storing, command, command / writing))])
     papers = [[cores, digits(results.milliseconds("paper", "command", cores=cores) / 1e3)] for cores in core_counts]
     return ("## Maps\n\n`vcavity_maps map` of copper, 60°, 1024 × 1024, to OpenEXR (PIZ), and its parts run alone, in "
             "milliseconds. *Compression*: the file with it less the file without. *Ratio*: the command against writing "
@@ -160,9 +167,8 @@ def other_ways(cost):
     rows = []
     for error in (1e-3, 1e-4, 1e-6, 1e-10):
         adaptive = min(row["seconds"] for row in methods["adaptive"] if row["error"] <= error)
-        rows.append([f"{error:.0e}".replace("e-0", "e-"), short(adaptive),
-                     *(f"{time(error) / adaptive:,.2g}" if time(error) < 1e4 * adaptive
-                       else f"{time(error) / adaptive:.0e}".replace("e+0", "e") for time in others.values())])
+        rows.append([power_of_ten(error), short(adaptive),
+                     *(times(time(error) / adaptive) for time in others.values())])
     return ("## Against other ways to the same number\n\nBi-hemispherical reflectance of silver, 60°: time for an error, "
             "and how many times as long the others take, extrapolated along the slope of what was measured "
             "(`vcavity_maps cost --material Ag --aperture 60`). The Embree tracer follows rays through a mesh.\n\n" +
@@ -191,12 +197,10 @@ def targets(results, core_counts):
                  results.nanoseconds("kernel", instructions, number, wavelengths)) for number in ("double", "float")]
 
     def overhead(*case):
-        return (results.nanoseconds("reflectance", *case) /
-                results.nanoseconds("fresnel_of_reflectance", *case) /
-                results.row("reflectance", *case)["evaluations"])
+        return results.nanoseconds("reflectance", *case) / results.nanoseconds("fresnel_of_reflectance", *case)
 
     def in_words(pairs):
-        return ", ".join(f"{name} {digits(value)}" for name, value in pairs)
+        return ", ".join(f"{name}: {digits(value)}" for name, value in pairs)
 
     apertures = [aperture for aperture, in results.names(r"reflectance/silver/(\d+)/double/1/none")]
     scalar = [("silver", aperture, "double", "1") for aperture in apertures]
@@ -214,10 +218,10 @@ def targets(results, core_counts):
         ["the same: time", "< 50 µs",
          f"{worst(tight, lambda *case: results.row(*case)['cpu_time']) / 1e3:.1f} µs at most"],
         ["map command against writing its file", "≤ 1.3",
-         in_words((f"{count} wavelengths on {cores}".replace("1 wavelengths on", "1 wavelength on", count == "1"),
+         in_words((f"{label} on {cores} {'core' if cores == 1 else 'cores'}",
                    results.milliseconds("map", count, "command", cores=cores) /
                    results.milliseconds("map", count, "writing", cores=cores))
-                  for count in ("1", "31") for cores in core_counts)],
+                  for count, label in (("1", "one wavelength"), ("31", "31 wavelengths")) for cores in core_counts)],
         ["time from 1° to 0.1°, against 10 for 1/α", "sub-linear",
          digits(results.nanoseconds("growth/silver/0.1") / results.nanoseconds("growth/silver/1"))],
     ]
@@ -258,7 +262,8 @@ def main():
     core_counts = [1, 2] if len(os.sched_getaffinity(0)) > 1 else [1]
     runs = [benchmark(1, IN_PROCESS, 0.02)] + [benchmark(cores, "^(map|paper)", 0.01) for cores in core_counts]
     for _, run in runs:
-        run["benchmarks"] = [row for row in run["benchmarks"] if row["aggregate_name"] == "median"]
+        medians = (row for row in run["benchmarks"] if row["aggregate_name"] == "median")
+        run["benchmarks"] = sorted(medians, key=lambda row: row["family_index"])
     results = Results(runs)
     cost = json.loads(output(1, options.build / "bin/vcavity_maps", "cost", "--material", "Ag", "--aperture", "60",
                              "--format", "json"))
