@@ -125,19 +125,23 @@ RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& po
   using std::sqrt;
   assert(e.z >= Real(0) && position >= Real(-1) && position <= Real(1));
 
-  const Real across = sqrt(e.y * e.y + e.z * e.z);
-  if (!(across > Real(0)))
+  const Real size = at_least(largest(e.y), e.z);
+  if (!(size > Real(0)))
     return {position < Real(0) ? Panel::one : Panel::two, 1};  // grazing along the groove
+  // Only the ratio of y and z counts. Almost along the groove their squares would vanish.
+  const Real y = e.y / size;
+  const Real z = e.z / size;
+  const Real across = sqrt(y * y + z * z);
 
-  const Real aside = position * cavity.sin_half() * e.z;
-  const Panel first = aside < cavity.cos_half() * e.y ? Panel::one : Panel::two;  // δ < 0
-  const Real facing = first == Panel::one ? e.y : Real(-e.y);
+  const Real aside = position * cavity.sin_half() * z;
+  const Panel first = aside < cavity.cos_half() * y ? Panel::one : Panel::two;  // δ < 0
+  const Real facing = first == Panel::one ? y : Real(-y);
   // 1 − |δ|, without forming |δ| = (cos(α/2) facing ∓ aside)/across
-  const Real beyond = facing > Real(0) ? Real(e.z * (e.z / (across + facing))) : Real(across - facing);
+  const Real beyond = facing > Real(0) ? Real(z * (z / (across + facing))) : Real(across - facing);
   const Real rest = at_least(
       Real((beyond + cavity.versine_half() * facing + (first == Panel::one ? aside : Real(-aside))) / across),
       Real(0));
-  const Real leaving = atan2(e.z, facing) + atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest);  // γ
+  const Real leaving = atan2(z, facing) + atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest);  // γ
   const Real count = floor(leaving / cavity.aperture() - Real(0.5)) + Real(1);
   if (count <= Real(1)) return {first, 1};
   const int most = cavity.max_bounces();

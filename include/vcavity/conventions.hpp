@@ -27,6 +27,7 @@
 /// The notation is that of Saint-Pierre, Simonot and Hébert, "Reflectance computation for a specular only
 /// V-cavity", Computational Color Imaging Workshop 2019 (hal-02087304), cited below as "the paper".
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -95,10 +96,16 @@ Vec3<Real> direction(Real theta, Real phi) {
 /// @return a unit vector normal to k; the mean normal z where k lies along the groove
 template <class Real>
 Vec3<Real> polarization_axis(const Vec3<Real>& k) {
+  using std::abs;
+  using std::max;
   using std::sqrt;
-  const Real across = sqrt(k.y * k.y + k.z * k.z);
-  if (!(across > Real(0))) return {Real(0), Real(0), Real(1)};
-  return {across, -k.x * k.y / across, -k.x * k.z / across};
+  const Real size = max(Real(abs(k.y)), Real(abs(k.z)));
+  if (!(size > Real(0))) return {Real(0), Real(0), Real(1)};
+  // Almost along the groove the squares of the components themselves would vanish.
+  const Real y = k.y / size;
+  const Real z = k.z / size;
+  const Real across = sqrt(y * y + z * z);
+  return {across * size, -k.x * y / across, -k.x * z / across};
 }
 
 }  // namespace vcavity

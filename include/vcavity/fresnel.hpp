@@ -97,6 +97,12 @@ void require_index(const Value& a, const scalar_t<Value>& low, const char* name)
   });
 }
 
+/// What n = 1 + (n − 1) lost by rounding; its square would lose twice as much.
+template <class Value>
+Value lost_by_rounding(const Value& n, const Value& n_minus_1) {
+  return n_minus_1 - (n - Value(1));
+}
+
 /// The angle of incidence.
 /// @tparam Cosine a number, or a value with an angle for each of its components
 template <class Cosine>
@@ -168,7 +174,7 @@ struct RefractedWave {
     const Value c2 = c * c;
     const Value real = c2 - w_norm;
     const Value imaginary = Real(2) * (c * w.im);
-    return select_nonnegative(Value(w_norm - Real(2) * c2), Value(real * real + imaginary * imaginary),
+    return select_nonnegative(Value(w_norm - Real(3) * c2), Value(real * real + imaginary * imaginary),
                               contrast_norm);
   }
 
@@ -231,11 +237,11 @@ class Conductor {
   /// @param n real part of the refractive index relative to the incident medium, ≥ 0
   /// @param k extinction coefficient, ≥ 0
   /// @throws std::invalid_argument when a component is out of range, see above, or not a number
-  Conductor(const Value& n, const Value& k) : Conductor(n, n - Value(1), k) {}
+  Conductor(const Value& n, const Value& k) : Conductor(n, n - Value(1), n + Value(1), k) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
   static Conductor from_contrast(const Value& n_minus_1, const Value& k) {
-    return Conductor(Value(1) + n_minus_1, n_minus_1, k);
+    return Conductor(Value(1) + n_minus_1, n_minus_1, Value(2) + n_minus_1, k);
   }
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
@@ -305,12 +311,12 @@ class Conductor {
 
   Conductor() = default;
 
-  Conductor(const Value& n, const Value& n_minus_1, const Value& k) {
+  Conductor(const Value& n, const Value& n_minus_1, const Value& n_plus_1, const Value& k) {
     detail::require_index(n, Real(0), "the refractive index n");
     detail::require_index(k, Real(0), "the extinction coefficient k");
     detail::require_index(Value(n + k), detail::smallest_index<Real>(), "n + k");
-    permittivity_ = n * n - k * k;
-    contrast_ = {n_minus_1 * (n + Value(1)) - k * k, Real(2) * (n * k)};
+    permittivity_ = n * n - k * k + Real(2) * (n * detail::lost_by_rounding(n, n_minus_1));
+    contrast_ = {n_minus_1 * n_plus_1 - k * k, Real(2) * (n * k)};
     contrast_norm_ = norm(contrast_);
   }
 
@@ -328,11 +334,11 @@ class Dielectric {
 
   /// @param n refractive index relative to the incident medium, > 0
   /// @throws std::invalid_argument when a component is out of range, see above, or not a number
-  explicit Dielectric(const Value& n) : Dielectric(n, n - Value(1)) {}
+  explicit Dielectric(const Value& n) : Dielectric(n, n - Value(1), n + Value(1)) {}
 
   /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
   static Dielectric from_contrast(const Value& n_minus_1) {
-    return Dielectric(Value(1) + n_minus_1, n_minus_1);
+    return Dielectric(Value(1) + n_minus_1, n_minus_1, Value(2) + n_minus_1);
   }
 
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
@@ -424,10 +430,10 @@ class Dielectric {
 
   Dielectric() = default;
 
-  Dielectric(const Value& n, const Value& n_minus_1) {
+  Dielectric(const Value& n, const Value& n_minus_1, const Value& n_plus_1) {
     detail::require_index(n, detail::smallest_index<Real>(), "the refractive index n");
-    permittivity_ = n * n;
-    contrast_ = n_minus_1 * (n + Value(1));
+    permittivity_ = n * n + Real(2) * (n * detail::lost_by_rounding(n, n_minus_1));
+    contrast_ = n_minus_1 * n_plus_1;
   }
 
   Value permittivity_;  // n²

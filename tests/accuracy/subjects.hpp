@@ -1,72 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// All functions under measurement, and the file of their worst arguments.
+/// All functions under measurement.
 
-#include <array>
-#include <cstdlib>
-#include <istream>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <tuple>
 #include <vector>
 
-#include "accuracy/fresnel_subjects.hpp"
-#include "accuracy/groove_subjects.hpp"
-#include "accuracy/surface_subjects.hpp"
-#include "accuracy/worst_case.hpp"
+#include "accuracy/subject.hpp"
 
 namespace vcavity::test {
 
+/// Fresnel reflectance, absorptance and amplitudes.
+template <class Real>
+std::vector<Subject<Real>> fresnel_subjects();
+
+/// What the groove makes of a direction: cosines of incidence, weights, reflectance and absorptance.
+template <class Real>
+std::vector<Subject<Real>> groove_subjects();
+
+/// What the groove makes of a single ray: its bounces, reflectance and exit direction.
+template <class Real>
+std::vector<Subject<Real>> ray_subjects();
+
+/// What the groove makes of polarised light.
+template <class Real>
+std::vector<Subject<Real>> polarization_subjects();
+
+/// The projection of the hemisphere, and bi-hemispherical reflectances that are known in closed form.
+template <class Real>
+std::vector<Subject<Real>> surface_subjects();
+
+/// All of them.
 template <class Real>
 std::vector<Subject<Real>> all_subjects() {
-  std::vector<Subject<Real>> subjects = fresnel_subjects<Real>();
-  for (Subject<Real>& subject : groove_subjects<Real>()) subjects.push_back(std::move(subject));
-  for (Subject<Real>& subject : surface_subjects<Real>()) subjects.push_back(std::move(subject));
-  return subjects;
-}
-
-template <class Real>
-std::string type_name() {
-  if constexpr (std::is_same_v<Real, float>) return "float";
-  if constexpr (std::is_same_v<Real, double>) return "double";
-  return "long double";
-}
-
-/// One row of the file of worst arguments: `function;type;argument argument …`, the arguments as hexadecimal
-/// floating-point numbers, which lose nothing.
-template <class Real>
-void write_row(std::ostream& out, const Subject<Real>& subject, const std::vector<Real>& arguments) {
-  out << subject.name << ';' << type_name<Real>() << ';';
-  std::ostringstream numbers;
-  numbers << std::hexfloat;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    numbers << (i == 0 ? "" : " ") << static_cast<long double>(arguments[i]);
-  out << numbers.str() << '\n';
-}
-
-struct Row {
-  std::string function;
-  std::string type;
-  std::vector<long double> arguments;
-};
-
-/// The rows of a file of worst arguments; lines that start with # are comments.
-inline std::vector<Row> read_rows(std::istream& in) {
-  std::vector<Row> rows;
-  std::string line;
-  while (std::getline(in, line)) {
-    if (line.empty() || line.front() == '#') continue;
-    std::istringstream fields(line);
-    Row row;
-    std::getline(fields, row.function, ';');
-    std::getline(fields, row.type, ';');
-    std::string number;
-    while (fields >> number) row.arguments.push_back(std::strtold(number.c_str(), nullptr));
-    rows.push_back(row);
-  }
-  return rows;
+  std::vector<Subject<Real>> all;
+  for (auto* subjects : {fresnel_subjects<Real>, groove_subjects<Real>, ray_subjects<Real>,
+                         polarization_subjects<Real>, surface_subjects<Real>})
+    for (Subject<Real>& subject : subjects()) all.push_back(std::move(subject));
+  return all;
 }
 
 }  // namespace vcavity::test

@@ -213,6 +213,31 @@ TEMPLATE_LIST_TEST_CASE("where s and p are undefined the field is reflected all 
   }
 }
 
+TEMPLATE_LIST_TEST_CASE("light almost along the groove has its limit, however small the rest", "",
+                        HardwareReals) {
+  using Real = TestType;
+  using std::abs;
+  const Cavity<Real> cavity(radians(Real(50)));
+  const auto metal = polarized(Conductor<Real>(Real(1.17), Real(2.4)));
+  const auto towards = [](const Real& rest) {
+    return Vec3<Real>{Real(1), Real(0.6) * rest, Real(0.8) * rest};
+  };
+  const Vec3<Real> near = towards(epsilon<Real>() * epsilon<Real>());
+  const Vec3<Real> nearest = towards(std::numeric_limits<Real>::min() * Real(1000));  // its square is 0
+  const auto limit = directional_reflectance(cavity, near, metal);
+  const auto actual = directional_reflectance(cavity, nearest, metal);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) CHECK(abs(actual(i, j) - limit(i, j)) < Real(64) * epsilon<Real>());
+  for (const double position : {-0.9, -0.3, 0.2, 0.8}) {
+    const RayPath path = ray_path(cavity, nearest, Real(position));
+    CHECK(path.first_panel == ray_path(cavity, near, Real(position)).first_panel);
+    CHECK(path.bounces == ray_path(cavity, near, Real(position)).bounces);
+  }
+  const Vec3<Real> axis = polarization_axis(nearest);
+  CHECK(abs(axis.y - polarization_axis(near).y) < Real(4) * epsilon<Real>());
+  CHECK(abs(axis.z - polarization_axis(near).z) < Real(4) * epsilon<Real>());
+}
+
 TEMPLATE_LIST_TEST_CASE("the polarised reflectance in other number types", "", Reals) {
   using Real = TestType;
   const Cavity<Real> cavity(radians(Real(60)));
