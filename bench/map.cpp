@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -32,6 +33,11 @@ DiscMapper copper_map(int wavelength_count) {
   return DiscMapper(MapRequest{load_material("Cu"), 60, wavelengths(wavelength_count), size, all_bounces});
 }
 
+/// Those that this process may use.
+int cores() {
+  return tbb::this_task_arena::max_concurrency();
+}
+
 /// A file that goes away.
 class ScratchFile {
  public:
@@ -50,11 +56,16 @@ void add(const std::string& name, const Run& run) {
   benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
 }
 
-/// Values of all pixels, with their colour, in memory.
+/// Values of all pixels, with their colour, in blocks of rows as the program computes them for a file.
 void add_rows(int count) {
   add(name_of("map", std::to_string(count), "values_and_colour"), [count](benchmark::State& state) {
     const DiscMapper mapper = copper_map(count);
-    for (auto _ : state) benchmark::DoNotOptimize(mapper.rows(0, size));
+    const int block = chunk_rows * cores();
+    for (auto _ : state)
+      for (int row = 0; row < size; row += block) {
+        auto planes = mapper.rows(row, std::min(block, size - row));
+        benchmark::DoNotOptimize(planes);
+      }
   });
 }
 
@@ -82,7 +93,7 @@ void add_writing(int count, const std::string& name, ExrCompression compression)
     Progress progress(size);
     const ExrImage image = compute_map(copper_map(count), progress);
     const ScratchFile file("vcavity_bench.exr");
-    set_exr_threads(tbb::this_task_arena::max_concurrency());
+    set_exr_threads(cores());
     for (auto _ : state) write_exr(file.path(), image, ExrNumber::float32, compression);
     set_exr_threads(0);
   });

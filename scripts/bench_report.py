@@ -17,7 +17,8 @@ import sys
 
 BEGIN = "<!-- printed by scripts/bench.sh: begin -->\n"
 END = "<!-- printed by scripts/bench.sh: end -->\n"
-IN_PROCESS = "^(fresnel|reflectance|growth|bihemispherical|kernel|bare)"
+COMPUTATIONS = "^(fresnel|reflectance|growth|bihemispherical|kernel|bare)"
+COMMANDS = "^(map|paper)"
 TOLERANCES = ("1e-3", "1e-5", "1e-7", "1e-10", "1e-13")
 
 
@@ -55,11 +56,11 @@ def table(heading, rows):
 
 
 def digits(value):
-    """Two decimals, or three digits."""
+    """Two decimals, or at least three digits."""
     return f"{value:.2f}" if value < 10 else f"{value:.1f}" if value < 100 else f"{value:,.0f}"
 
 
-def short(seconds):
+def short_time(seconds):
     return f"{seconds * 1e3:.2g} ms" if seconds > 1e-3 else f"{seconds * 1e6:.3g} µs"
 
 
@@ -69,6 +70,7 @@ def times(factor):
 
 
 def power_of_ten(value):
+    """One digit and an exponent, such as 3e6."""
     return re.sub(r"e([-+])0?", lambda match: "e" + match.group(1).strip("+"), f"{value:.0e}")
 
 
@@ -82,7 +84,7 @@ def fresnel(results):
         time = results.nanoseconds("fresnel", material, number, lanes)
         one = results.nanoseconds("fresnel", material, "double", "1")
         rows.append([material, number, lanes_in_words(lanes), digits(time), digits(one / time)])
-    return ("## Fresnel's formula alone\n\nFor any x86-64 processor, 16 bytes in a register.\n\n" +
+    return ("## Fresnel's formula alone\n\nAt the cosines of a groove of 60°. Packs are in registers of 16 bytes, which every x86-64 processor has.\n\n" +
             table(["facet", "numbers", "computed", "ns per evaluation", "throughput against double, one by one"], rows))
 
 
@@ -146,7 +148,7 @@ def maps(results, core_counts):
             "milliseconds. *Compression*: the file with it less the file without. *Ratio*: the command against writing "
             "the same file alone, compression included.\n\n" +
             table(["wavelengths", "cores", "values", "colour", "compression", "writing", "command", "ratio"], rows) +
-            "\n`vcavity_maps paper`: all figures, tables and the report.\n\n" + table(["cores", "seconds"], papers))
+            "\n`vcavity_maps paper --size 256`: all figures, tables and the report.\n\n" + table(["cores", "seconds"], papers))
 
 
 def power_law(rows, exponent=None):
@@ -167,7 +169,7 @@ def other_ways(cost):
     rows = []
     for error in (1e-3, 1e-4, 1e-6, 1e-10):
         adaptive = min(row["seconds"] for row in methods["adaptive"] if row["error"] <= error)
-        rows.append([power_of_ten(error), short(adaptive),
+        rows.append([power_of_ten(error), short_time(adaptive),
                      *(times(time(error) / adaptive) for time in others.values())])
     return ("## Against other ways to the same number\n\nBi-hemispherical reflectance of silver, 60°: time for an error, "
             "and how many times as long the others take, extrapolated along the slope of what was measured "
@@ -260,7 +262,7 @@ def main():
             "--benchmark_report_aggregates_only=true", "--benchmark_format=json"))
 
     core_counts = [1, 2] if len(os.sched_getaffinity(0)) > 1 else [1]
-    runs = [benchmark(1, IN_PROCESS, 0.02)] + [benchmark(cores, "^(map|paper)", 0.01) for cores in core_counts]
+    runs = [benchmark(1, COMPUTATIONS, 0.02)] + [benchmark(cores, COMMANDS, 0.01) for cores in core_counts]
     for _, run in runs:
         medians = (row for row in run["benchmarks"] if row["aggregate_name"] == "median")
         run["benchmarks"] = sorted(medians, key=lambda row: row["family_index"])
