@@ -44,10 +44,12 @@ class PanelImages {
  public:
   using Groove = Cavity<scalar_t<Real>>;
 
+  /// @param cavity must outlive the images
   /// @param e direction towards the light
   /// @param first the panel met first
   PanelImages(const Groove& cavity, const Vec3<Real>& e, Panel first)
       : PanelImages(cavity, e.x, first == Panel::one ? e.y : Real(-e.y), e.z, first) {}
+  PanelImages(const Groove&&, const Vec3<Real>&, Panel) = delete;
 
   /// Number j of the bounce, starting at 1.
   int bounce() const { return bounce_; }
@@ -72,6 +74,13 @@ class PanelImages {
     e_.turn();
     panel_ = opposite(panel_);
     ++bounce_;
+  }
+
+  /// Steps over several images at once.
+  void advance(int images) {
+    e_.turn(images);
+    if (images % 2 != 0) panel_ = opposite(panel_);
+    bounce_ += images;
   }
 
   /// The direction in which the light travels after bounce j: the normal component is reversed, the others

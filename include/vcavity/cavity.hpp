@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -73,7 +74,7 @@ class Cavity {
   static constexpr int tabulated_multiples = 15;
 
   /// Cosine and sine of kα/2, for k in [0, tabulated_multiples].
-  const Rotation& multiple(int k) const { return multiples_[static_cast<std::size_t>(k)]; }
+  const Rotation& multiple(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
 
   /// The normal of a panel, pointing into the groove (Eq. 5).
   Vec3<Real> normal(Panel panel) const {

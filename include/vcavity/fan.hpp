@@ -7,6 +7,9 @@
 /// the table of the cavity and cost two products and a sum each; beyond its end, in narrow grooves, one turn
 /// leads to the next (`TurningVector`).
 
+#include <cmath>
+#include <cstdint>
+
 #include "cavity.hpp"
 #include "turning_vector.hpp"
 
@@ -49,13 +52,26 @@ class FanVector {
     if (!is_tabulated()) turned_.turn();
   }
 
+  /// Turns the vector `turns` times at once.
+  void turn(int turns) {
+    using std::cos;
+    using std::sin;
+    multiple_ += std::int64_t{step} * turns;
+    if (is_tabulated()) return;
+    using Scalar = scalar_t<Real>;
+    const Scalar angle = Scalar(multiple_) * (cavity_->aperture() / Scalar(2));
+    const Scalar cosine = cos(angle);
+    const Scalar sine = sin(angle);
+    turned_.place(cosine * x_ - sine * y_, sine * x_ + cosine * y_);
+  }
+
  private:
   bool is_tabulated() const { return multiple_ <= Groove::tabulated_multiples; }
   const auto& rotation() const { return cavity_->multiple(multiple_); }
 
   const Groove* cavity_;
   Real x_, y_;
-  int multiple_;
+  std::int64_t multiple_;
   TurningVector<Real> turned_;  // beyond the table
 };
 

@@ -22,12 +22,16 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include "bounces.hpp"
 #include "cavity.hpp"
 #include "fan.hpp"
+#include "progression.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -120,6 +124,13 @@ class ReachedFractions {
   /// f_1: the fraction of the opening whose rays meet this panel first.
   const Real& first() const { return first_; }
 
+  /// Steps over several of the series at once, while the fraction is still f_1.
+  void advance(int steps) {
+    if (opening_.all_both) return;
+    fan_.turn(steps);
+    slope_.turn(steps);
+  }
+
   /// Steps from f_j to f_{j+1}.
   /// @param images at bounce j + 1
   /// @return f_{j+1}
@@ -149,6 +160,44 @@ enum class DarkLight {
   followed,  ///< to its last bounce, though without any more Fresnel evaluations
   merged     ///< into one lobe that ends where the light does
 };
+
+/// From this number of bounces on it may pay to do many at once.
+inline constexpr int narrow_groove = 200;
+
+/// In a narrow groove, multiplies a throughput by the reflectances of many bounces at once, all of which
+/// reach every ray of the first panel: the logarithm of the product is a sum over an arithmetic progression
+/// of angles. Does nothing where that does not pay, or the facet is no function of the cosine with positive
+/// numbers for values.
+/// @param images, fractions at the first bounce; advanced by what was done
+/// @param most_bounces none beyond these is done
+template <class Real, class Facet, class Value>
+void reflect_many(const Facet& facet, PanelImages<Real>& images, ReachedFractions<Real>& fractions,
+                  const scalar_t<Real>& aperture, int most_bounces, Value& throughput) {
+  if constexpr (std::is_floating_point_v<Real> && std::is_floating_point_v<Value> &&
+                std::invocable<const Facet&, const Real&>) {
+    constexpr int least_log2 = 7;  // shorter series are done bounce by bounce
+    const Real first_angle = std::atan2(images.normal_component(), images.tangent_component());
+    const Real size = std::hypot(images.normal_component(), images.tangent_component());
+    // All rays bounce until the angle has passed a right one and is as far beyond it as it began before it.
+    const Real all_reached = (pi<Real>() - Real(2) * first_angle) / aperture - Real(1);
+    int left = std::min(most_bounces, static_cast<int>(std::min(all_reached, Real(most_bounces)))) - 1;
+    const auto log_reflectance = [&](const Real& index) {
+      return Real(std::log(facet(size * std::sin(first_angle + (index - Real(1)) * aperture))));
+    };
+    int log2 = 28;
+    while (left >= 1 << least_log2) {
+      while (1 << log2 > left) --log2;
+      const int count = 1 << log2;
+      const auto sum = progression_sum<Real>(log_reflectance, images.bounce(), log2,
+                                             Real(3 * count) * std::numeric_limits<Real>::epsilon());
+      if (!sum) return;
+      throughput *= static_cast<Value>(std::exp(*sum));
+      images.advance(count);
+      fractions.advance(count);
+      left -= count;
+    }
+  }
+}
 
 /// Whether nothing is left of a throughput. That shows in long series only, and is looked for now and then.
 template <class Value>
@@ -188,6 +237,8 @@ void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towar
     ReachedFractions<Real> fractions(cavity, e, opening, first);
     Value throughput(1);
     Real reached = fractions.first();
+    if (most >= narrow_groove && any_positive(reached))
+      reflect_many(facet, images, fractions, cavity.aperture(), most, throughput);
     while (any_positive(reached)) {
       if (!is_dark(throughput, images.bounce())) {
         throughput = throughput * reflect(facet, images);

@@ -124,7 +124,8 @@ Subject<Real> jones_matrix() {
   subject.actual = [](const Arguments& a) {
     const auto facet = polarized(Conductor<Real>(a[5], a[6]));
     const RayPath path = path_of<Real>(a);
-    PanelImages<Real> images(Cavity<Real>{a[0]}, direction_of(a), path.first_panel);
+    const Cavity<Real> cavity(a[0]);
+    PanelImages<Real> images(cavity, direction_of(a), path.first_panel);
     Jones<Real> product = facet(images);
     while (images.bounce() < path.bounces) {
       images.advance();
