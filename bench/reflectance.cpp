@@ -39,7 +39,7 @@ void add(const std::string& material, const std::string& aperture_deg, const Fac
   add_over("reflectance", "full", directions, reflectance_of<Reals>(groove, polarized(facet)));
 }
 
-/// Narrow grooves: time, and evaluations of the facet if every bounce is followed.
+/// Narrow grooves: time and evaluations of the facet.
 void add_growth(const std::string& aperture_deg) {
   const Cavity<double> groove(radians(std::stod(aperture_deg)));
   const std::vector<Vec3<double>> directions = map_directions<double>();

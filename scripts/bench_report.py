@@ -113,8 +113,8 @@ def growth(results):
         rows.append([f"{aperture}°", f"{row['bounces']:.0f}", f"{row['evaluations']:.1f}", digits(time / 1e3),
                      digits(time / 1e3 * float(aperture))])
     return ("## Narrow grooves\n\nDirectional reflectance of silver in double, one by one. *Bounces*: at most. "
-            "*Evaluations*: of the facet for one direction, if every bounce is followed. The last column would be "
-            "constant if time grew like 1/α.\n\n" +
+            "*Evaluations*: of the facet for one direction, fewer than the bounces where many are done at once. The last "
+            "column would be constant if time grew like 1/α.\n\n" +
             table(["aperture α", "bounces", "evaluations", "µs", "µs × α/1°"], rows))
 
 
@@ -234,11 +234,12 @@ def targets(results, core_counts):
     return "## Targets\n\n" + table(["", "target", "reached"], rows)
 
 
-def machine(context):
+def machine(context, load):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         model = re.search(r"model name\s*:\s*(.*)", file.read())
     return (f"vcavity {context['vcavity']}, {context['compiler']}, -O3, {os.uname().sysname}, "
-            f"{model.group(1) if model else os.uname().machine}, {len(os.sched_getaffinity(0))} cores.\n")
+            f"{model.group(1) if model else os.uname().machine}, {len(os.sched_getaffinity(0))} cores; {load:.1f} busy with other work "
+            "before.\n")
 
 
 def main():
@@ -261,6 +262,7 @@ def main():
             f"--benchmark_min_time={min_time}", "--benchmark_enable_random_interleaving=true",
             "--benchmark_report_aggregates_only=true", "--benchmark_format=json"))
 
+    load = os.getloadavg()[0]
     core_counts = [1, 2] if len(os.sched_getaffinity(0)) > 1 else [1]
     runs = [benchmark(1, COMPUTATIONS, 0.02)] + [benchmark(cores, COMMANDS, 0.01) for cores in core_counts]
     for _, run in runs:
@@ -278,7 +280,7 @@ def main():
             for name, row in results.rows.items():
                 writer.writerow([*name.rsplit("@", 1), row["real_time"], row["cpu_time"], row["time_unit"],
                                  row.get("items_per_second", ""), row.get("evaluations", "")])
-    text = "\n".join([machine(runs[0][1]["context"]), targets(results, core_counts), kernels(results),
+    text = "\n".join([machine(runs[0][1]["context"], load), targets(results, core_counts), kernels(results),
                       maps(results, core_counts), reflectance(results), bihemispherical(results), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
