@@ -114,8 +114,8 @@ class FieldBalanced {
 /// and by Kirchhoff's law the emissivity.
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet a `polarized` facet with a member `absorptances`, such as `Conductor`
-template <class Real, class Facet>
-auto directional_absorptance(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
+template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
+auto directional_absorptance(const Cavity<Scalar>& cavity, const Direction& e,
                              const Polarized<Facet>& facet) {
   return directional_reflectance(cavity, e, FieldBalanced<Facet>(facet));
 }

@@ -132,14 +132,18 @@ struct CountedFacet {
 template <class Real>
 struct AngleRecorder {
   Real operator()(const PanelImages<Real>& bounce) const {
-    angles.push_back(std::atan2(static_cast<double>(bounce.normal_component()),
-                                static_cast<double>(bounce.tangent_component())));
-    most_bounces = std::max(most_bounces, bounce.bounce());
+    const double angle = std::atan2(static_cast<double>(bounce.normal_component()),
+                                    static_cast<double>(bounce.tangent_component()));
+    angles.push_back(angle);
+    if (bounce.bounce() == 1) upright = 0;
+    constexpr double nearly_one = 0.9;
+    if (std::sin(angle) > nearly_one) most_upright = std::max(most_upright, ++upright);
     return Real(1);
   }
 
   mutable std::vector<double> angles;
-  mutable int most_bounces = 0;
+  mutable int upright = 0;  ///< bounces off panels that face the direction, in the series of one first panel
+  mutable int most_upright = 1;  ///< the largest number of them
 };
 
 /// A rectangle of the square of directions.
@@ -201,7 +205,7 @@ class HemisphereQuadrature {
 
   static constexpr std::size_t least_order = 4, most_along = 64, most_across = 40;
   static constexpr int most_halvings = 40;  // of one cell
-  static constexpr int most_parts = 64;     // of a range of ψ between two critical angles
+  static constexpr int most_parts = 8;      // of a range of ψ between two critical angles
   static constexpr long long most_evaluations = 50'000'000;
 
   /// A sum of values, and of the terms of the Legendre series with them.
@@ -266,7 +270,9 @@ class HemisphereQuadrature {
     const int degrees_along = is_even(cell) ? 4 : 2;  // made exact by each node
     constexpr int degrees_across = 2;
     const double half_tolerance = 0.5 * static_cast<double>(tolerance);
-    const int multiplicity = 2 * bounces.most_bounces;  // of the pole of r_p² next to grazing
+    // Towards grazing along the groove, bounces off panels that face the light share the pole of r_p² nearest
+    // to them.
+    const int multiplicity = 2 * bounces.most_upright;
     std::size_t along_order = order_for(half_tolerance * std::exp2(-std::min(multiplicity, 6)),
                                         degrees_along * along.rate, most_along);
     std::size_t across_order = order_for(half_tolerance, degrees_across * across.rate, most_across);
@@ -275,7 +281,8 @@ class HemisphereQuadrature {
       const Estimate estimate =
           integrate(cell, along_order, along, multiplicity, parts, across_order, across);
       const double enough = std::max(half_tolerance, static_cast<double>(rounding(estimate.value)));
-      const bool along_converged = estimate.along_error <= enough;
+      const bool as_far_as_possible = is_cut() && along_order >= most_along && parts >= most_parts;
+      const bool along_converged = as_far_as_possible || estimate.along_error <= enough;
       const bool across_converged = estimate.across_error <= enough;
       if ((along_converged && across_converged) || halvings >= most_halvings ||
           evaluations_ >= most_evaluations) {
@@ -285,7 +292,7 @@ class HemisphereQuadrature {
         return;
       }
       const Scalar half = tolerance / Scalar(2);
-      if (!along_converged && along_order >= most_along && is_cut() && parts < most_parts) {
+      if (!along_converged && along_order >= most_along && is_cut()) {
         parts *= 2;  // halving the cell would add kinks, where the cuts cross its middle
         continue;
       }
@@ -418,8 +425,10 @@ class HemisphereQuadrature {
     Series series_across;
     series_across.add(sum, Real(1));
     const double noise = static_cast<double>(rounding(sum.integral));
-    return {sum.integral, series_along.error(along_rule, along.rate, multiplicity, noise),
-            series_across.error(across_rule, across.rate, 2, noise)};
+    const double along_error = series_along.error(along_rule, along.rate, multiplicity, noise);
+    // What is wrong with the integrals along ψ is noise to the series across.
+    return {sum.integral, along_error,
+            series_across.error(across_rule, across.rate, 2, noise + along_error / across_rule.last_degree)};
   }
 
   /// Adds the nodes of a rule from ψ = low to high to `nodes_`, with cos²ψ in their weights.

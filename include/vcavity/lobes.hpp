@@ -182,7 +182,8 @@ void reflect_many(const Facet& facet, PanelImages<Real>& images, ReachedFraction
     const Real all_reached = (pi<Real>() - Real(2) * first_angle) / aperture - Real(1);
     int left = std::min(most_bounces, static_cast<int>(std::min(all_reached, Real(most_bounces)))) - 1;
     const auto log_reflectance = [&](const Real& index) {
-      return Real(std::log(facet(size * std::sin(first_angle + (index - Real(1)) * aperture))));
+      const Value reflectance = facet(size * std::sin(first_angle + (index - Real(1)) * aperture));
+      return static_cast<Real>(std::log(at_least(reflectance, std::numeric_limits<Value>::min())));
     };
     int log2 = 28;
     while (left >= 1 << least_log2) {

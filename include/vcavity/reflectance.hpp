@@ -17,13 +17,18 @@ namespace vcavity {
 /// @tparam Real number type, or a `Pack` of numbers for as many directions at once, all with e.y ≥ 0; then
 /// the
 ///         facet is one of packs too, see `over_directions`
-/// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
+/// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0. Or a `Vec3` of a
+/// `Pack`:
+///        as many directions at once, all with e.y ≥ 0; then the facet is one of packs too, see
+///        `over_directions`
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces light that needs more bounces is left out
 /// @return a value of the facet's type, or what its `power` makes of it
-template <class Real, FacetReflectance<Real> Facet>
-power_t<Facet, Real> directional_reflectance(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
-                                             const Facet& facet, int most_bounces = all_bounces) {
+template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
+requires FacetReflectance<Facet, typename Direction::value_type>
+auto directional_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
+                             int most_bounces = all_bounces) {
+  using Real = typename Direction::value_type;
   using Value = value_t<Facet, Real>;
   power_t<Facet, Real> reflectance(0);
   for_each_lobe(
@@ -40,9 +45,9 @@ power_t<Facet, Real> directional_reflectance(const Cavity<scalar_t<Real>>& cavit
 ///
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet facet reflectance with a member `absorptance`, such as `Conductor`
-template <class Real, AbsorbingFacet<Real> Facet>
-value_t<Facet, Real> directional_absorptance(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
-                                             const Facet& facet) {
+template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
+requires AbsorbingFacet<Facet, typename Direction::value_type>
+auto directional_absorptance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet) {
   return directional_reflectance(cavity, e, EnergyBalanced<Facet>(facet)).absorbed;
 }
 
