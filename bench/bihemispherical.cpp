@@ -23,14 +23,18 @@ void add(const std::string& material, const std::string& aperture_deg, const std
                                });
 }
 
+template <class Facet>
+void add_grooves(const std::string& material, const Facet& facet) {
+  for (const char* aperture_deg : {"45", "60", "90", "120", "150"})
+    for (const char* tolerance : {"1e-3", "1e-5", "1e-7", "1e-10", "1e-13"})
+      add(material, aperture_deg, tolerance, facet);
+}
+
 }  // namespace
 
 void add_bihemispherical_benchmarks() {
-  for (const char* aperture_deg : {"45", "60", "90", "120", "150"})
-    for (const char* tolerance : {"1e-3", "1e-5", "1e-7", "1e-10", "1e-13"}) {
-      add("silver", aperture_deg, tolerance, silver<double>());
-      add("glass", aperture_deg, tolerance, glass<double>());
-    }
+  add_grooves("silver", silver<double>());
+  add_grooves("glass", glass<double>());
 }
 
 }  // namespace vcavity::bench

@@ -14,6 +14,7 @@ import pathlib
 import re
 import subprocess
 import sys
+from time import monotonic
 
 BEGIN = "<!-- printed by scripts/bench.sh: begin -->\n"
 END = "<!-- printed by scripts/bench.sh: end -->\n"
@@ -124,9 +125,7 @@ def bihemispherical(results):
         return f"{row['cpu_time'] / 1e3:.1f} µs, {row['evaluations']:.0f}"
 
     rows = [[material, f"{aperture}°", *(cell(material, aperture, tolerance) for tolerance in TOLERANCES)]
-            for material in ("silver", "glass")
-            for material_found, aperture in results.names(r"bihemispherical/(\w+)/(\d+)/1e-10")
-            if material_found == material]
+            for material, aperture in results.names(r"bihemispherical/(\w+)/(\d+)/1e-10")]
     return ("## Bi-hemispherical reflectance\n\nTime and number of Fresnel evaluations for a tolerance.\n\n" +
             table(["facet", "aperture", *TOLERANCES], rows))
 
@@ -234,12 +233,29 @@ def targets(results, core_counts):
     return "## Targets\n\n" + table(["", "target", "reached"], rows)
 
 
-def machine(context, load):
+def other_work():
+    """A function that returns how many cores other programs have kept busy since this call."""
+    def seconds():
+        with open("/proc/stat", encoding="utf-8") as file:
+            ticks = [int(word) for word in file.readline().split()[1:9]]
+        idle = ticks[3] + ticks[4]
+        return (sum(ticks) - idle) / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4]), monotonic()
+
+    busy_before, before = seconds()
+
+    def cores():
+        busy, now = seconds()
+        return max(busy - busy_before, 0) / (now - before)
+
+    return cores
+
+
+def machine(context, others):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         model = re.search(r"model name\s*:\s*(.*)", file.read())
     return (f"vcavity {context['vcavity']}, {context['compiler']}, -O3, {os.uname().sysname}, "
-            f"{model.group(1) if model else os.uname().machine}, {len(os.sched_getaffinity(0))} cores; {load:.1f} busy with other work "
-            "before.\n")
+            f"{model.group(1) if model else os.uname().machine}, {len(os.sched_getaffinity(0))} cores, of which other "
+            f"programs kept {others:.1f} busy.\n")
 
 
 def main():
@@ -262,7 +278,7 @@ def main():
             f"--benchmark_min_time={min_time}", "--benchmark_enable_random_interleaving=true",
             "--benchmark_report_aggregates_only=true", "--benchmark_format=json"))
 
-    load = os.getloadavg()[0]
+    busy_with_others = other_work()
     core_counts = [1, 2] if len(os.sched_getaffinity(0)) > 1 else [1]
     runs = [benchmark(1, COMPUTATIONS, 0.02)] + [benchmark(cores, COMMANDS, 0.01) for cores in core_counts]
     for _, run in runs:
@@ -280,7 +296,7 @@ def main():
             for name, row in results.rows.items():
                 writer.writerow([*name.rsplit("@", 1), row["real_time"], row["cpu_time"], row["time_unit"],
                                  row.get("items_per_second", ""), row.get("evaluations", "")])
-    text = "\n".join([machine(runs[0][1]["context"], load), targets(results, core_counts), kernels(results),
+    text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts), kernels(results),
                       maps(results, core_counts), reflectance(results), bihemispherical(results), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
