@@ -26,3 +26,5 @@ install_packages() {
 tool_packages=(g++ cmake ninja-build pkgconf libglm-dev libopenexr-dev libcairo2-dev libyaml-cpp-dev libcli11-dev
                nlohmann-json3-dev libtbb-dev fonts-dejavu-core)
 test_packages=(catch2 libboost-dev libembree-dev openexr)
+# What the benchmarks are built and run with on top of the tools.
+bench_packages=(libbenchmark-dev libembree-dev python3)
