@@ -24,25 +24,37 @@ struct Measurement {
   long long evaluations;  ///< of the facet reflectance; 0 if not counted
 };
 
-/// A facet that counts its evaluations.
+/// A facet that counts its evaluations, and is in all else the same.
 template <class Facet>
 class CountedFacet {
  public:
-  CountedFacet(const Facet& facet, long long& evaluations) : facet_(facet), evaluations_(evaluations) {}
+  /// \param directions   of a call
+  CountedFacet(const Facet& facet, long long& evaluations, std::size_t directions = 1)
+      : facet_(facet), evaluations_(evaluations), directions_(directions) {}
 
   template <class Bounce>
   requires std::invocable<const Facet&, const Bounce&>
   auto operator()(const Bounce& bounce) const {
-    ++evaluations_;
+    evaluations_ += static_cast<long long>(directions_);
     return facet_(bounce);
   }
 
   auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
   { return facet_.critical_cosine(); }
 
+  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
+  { return facet_.singular_cosines(); }
+
+  template <std::size_t directions>
+  auto over_directions() const requires OverDirections<Facet> {
+    using Wide = decltype(std::declval<const Facet&>().template over_directions<directions>());
+    return CountedFacet<Wide>(facet_.template over_directions<directions>(), evaluations_, directions);
+  }
+
  private:
-  const Facet& facet_;
+  Facet facet_;
   long long& evaluations_;
+  std::size_t directions_;
 };
 
 /// Median wall-clock time of `compute()`, in seconds: of at least five calls, or fewer if they take seconds.
