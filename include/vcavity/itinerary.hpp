@@ -10,6 +10,7 @@
 
 namespace vcavity {
 
+/// @tparam Real number type of the direction; facets may return any value
 template <class Real>
 class Itinerary {
  public:

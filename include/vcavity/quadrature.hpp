@@ -12,8 +12,18 @@
 #include <vector>
 
 #include "conventions.hpp"
+#include "value.hpp"
 
 namespace vcavity {
+
+/// An integral, and how it was obtained.
+template <class Value>
+struct Integral {
+  Value value;  ///< the integral
+  scalar_t<Value>
+      error;  ///< estimate of the absolute error, from the fall of the Legendre series of the integrand
+  long long evaluations;  ///< number of evaluations of the facet reflectance
+};
 
 /// A node of a quadrature rule on [−1, 1].
 template <class Real>
