@@ -5,9 +5,15 @@
 
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
+using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 namespace Catch {
 using Detail::Approx;
+namespace Matchers {
+inline auto ContainsSubstring(const std::string& part) {
+  return Contains(part);
 }
+}  // namespace Matchers
+}  // namespace Catch
 #endif
