@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs vcavity to a scratch prefix and builds the consumer against it in every documented way.
-#   cmake -D source=… -D scratch=… -D compiler=… -D version=… -P check_package.cmake
+#   cmake -D source=… -D scratch=… -D compiler=… -D version=… -D generator=… -P check_package.cmake
+
+set(ENV{CMAKE_GENERATOR} ${generator})  # of all that follows
 
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
