@@ -205,7 +205,8 @@ class HemisphereQuadrature {
       const bool as_far_as_possible = is_cut() && along_order >= most_along && parts >= most_parts;
       const bool along_converged = as_far_as_possible || estimate.along_error <= enough;
       const bool across_converged = estimate.across_error <= enough;
-      if ((along_converged && across_converged) || halvings >= most_halvings ||
+      const bool is_number = std::isfinite(estimate.along_error + estimate.across_error);
+      if ((along_converged && across_converged) || !is_number || halvings >= most_halvings ||
           evaluations_ >= most_evaluations) {
         total.value = total.value + estimate.value;
         total.error = total.error + static_cast<Scalar>(estimate.along_error + estimate.across_error) +
