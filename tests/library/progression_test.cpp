@@ -111,3 +111,20 @@ TEST_CASE("the narrowest grooves take no time, and their weights add up") {
     }
   }
 }
+
+TEST_CASE("many bounces at once do not pass the bounce at which rays begin to leave") {
+  // Around the apertures at which one block more would fit.
+  for (int i = 0; i < 80; ++i) {
+    const Cavity<double> cavity(pi<double>() / (250.07 + 0.15 * i));
+    const Vec3<double> e = direction(0.0, 0.0);
+    const auto at_once = lobes(cavity, e, [](double) { return 0.99; });
+    const auto apart = lobes(cavity, e, [](const PanelImages<double>&) { return 0.99; });
+    CAPTURE(i);
+    REQUIRE(at_once.size() == apart.size());
+    for (std::size_t lobe = 0; lobe < apart.size(); ++lobe) {
+      CHECK(at_once[lobe].bounces == apart[lobe].bounces);
+      CHECK(std::abs(at_once[lobe].weight - apart[lobe].weight) < 1e-12);
+      CHECK(at_once[lobe].throughput == Approx(apart[lobe].throughput).epsilon(1e-12));
+    }
+  }
+}
