@@ -88,7 +88,7 @@ class Cavity {
 
   /// The largest number of bounces of any ray, ⌈π/α⌉. An aperture within rounding (4 ε) of π/k counts as π/k:
   /// moving the aperture by so little moves the weights as much as leaving out the rays that would bounce
-  /// once more. At most the largest int.
+  /// once more. At most one less than the largest int, so that the image behind the last bounce has a number.
   int max_bounces() const { return max_bounces_; }
 
  private:
@@ -96,7 +96,7 @@ class Cavity {
     using std::ceil;
     const Real count =
         ceil(pi<Real>() / aperture * (Real(1) - Real(4) * std::numeric_limits<Real>::epsilon()));
-    constexpr int most = std::numeric_limits<int>::max();
+    constexpr int most = std::numeric_limits<int>::max() - 1;
     if (!(count < Real(most))) return most;
     return count < Real(1) ? 1 : static_cast<int>(count);
   }
