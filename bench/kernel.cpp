@@ -30,7 +30,8 @@ const BareLoops& bare_loops(std::string_view instruction_set) {
 template <class Real>
 void add(const Kernel& kernel, void (*run)(const KernelJob&), BareFresnel<Real> bare,
          const std::vector<RefractiveIndex>& indices) {
-  const std::vector<Vec3<double>> directions = map_directions<double>();
+  Directions directions;
+  for (const Vec3<double>& e : map_directions<double>()) directions.push_back(e);
   const std::vector<Real> cosines =
       recorded_cosines(Cavity<Real>(radians(Real(aperture_deg))), map_directions<Real>(), silver<Real>());
   const auto name = [&](const char* group) {

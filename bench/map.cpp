@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 #include <vcavity/lobes.hpp>
 
 #include "benchmarks.hpp"
@@ -29,8 +30,8 @@ std::vector<double> wavelengths(int count) {
   return result;
 }
 
-DiscMapper copper_map(int wavelength_count) {
-  return DiscMapper(MapRequest{load_material("Cu"), 60, wavelengths(wavelength_count), size, all_bounces});
+DiscMapper copper_map(int wavelength_count, int pixels = size) {
+  return DiscMapper(MapRequest{load_material("Cu"), 60, wavelengths(wavelength_count), pixels, all_bounces});
 }
 
 /// Those that this process may use.
@@ -56,16 +57,23 @@ void add(const std::string& name, const Run& run) {
   benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
 }
 
-/// Values of all pixels, with their colour, in blocks of rows as the program computes them for a file.
-void add_rows(int count) {
-  add(name_of("map", std::to_string(count), "values_and_colour"), [count](benchmark::State& state) {
-    const DiscMapper mapper = copper_map(count);
-    const int block = chunk_rows * cores();
-    for (auto _ : state)
-      for (int row = 0; row < size; row += block) {
-        auto planes = mapper.rows(row, std::min(block, size - row));
-        benchmark::DoNotOptimize(planes);
-      }
+/// Computes all rows of a map, in blocks as the program does.
+void compute_all(const DiscMapper& mapper, Planes& planes) {
+  const int block = chunk_rows * cores();
+  for (int row = 0; row < mapper.request().size; row += block) {
+    planes = mapper.rows(row, std::min(block, mapper.request().size - row), std::move(planes));
+    benchmark::DoNotOptimize(planes);
+  }
+}
+
+/// Values of all pixels, with their colour.
+void add_rows(const std::string& name, int count, int pixels) {
+  add(name, [=](benchmark::State& state) {
+    const DiscMapper mapper = copper_map(count, pixels);
+    Planes planes;
+    for (auto _ : state) compute_all(mapper, planes);
+    count_items(state, static_cast<std::size_t>(count) * static_cast<std::size_t>(pixels) *
+                           static_cast<std::size_t>(pixels));
   });
 }
 
@@ -115,11 +123,15 @@ void add_command(const std::string& name, const std::string& arguments) {
 void add_map_benchmarks() {
   const std::string map = "map --material Cu --aperture 60 --size 1024";
   for (const int count : {1, 31}) {
-    add_rows(count);
+    add_rows(name_of("map", std::to_string(count), "values_and_colour"), count, size);
     add_writing(count, "writing_uncompressed", ExrCompression::none);
     add_writing(count, "writing", ExrCompression::piz);
   }
   add_colour(31);
+  for (const int pixels : {128, 256, 512, 1024, 2048})
+    add_rows(name_of("map_growth/pixels", std::to_string(pixels)), 1, pixels);
+  for (const int count : {1, 2, 4, 8, 16, 31})
+    add_rows(name_of("map_growth/wavelengths", std::to_string(count)), count, 512);
   add_command("map/1/command", map + " --wavelength 550");
   add_command("map/31/command", map + " --wavelengths 400:700:10");
   add_command("paper/command", "paper --size 256");

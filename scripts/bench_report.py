@@ -18,7 +18,7 @@ from time import monotonic
 
 BEGIN = "<!-- printed by scripts/bench.sh: begin -->\n"
 END = "<!-- printed by scripts/bench.sh: end -->\n"
-COMPUTATIONS = "^(fresnel|reflectance|growth|bihemispherical|kernel|bare)"
+COMPUTATIONS = "^(fresnel|reflectance|known_ways|plain_loop|growth|bihemispherical|kernel|bare)"
 COMMANDS = "^(map|paper)"
 TOLERANCES = ("1e-3", "1e-5", "1e-7", "1e-10", "1e-13")
 
@@ -41,8 +41,11 @@ class Results:
     def row(self, *words, cores=1):
         return self.rows["/".join(words) + f"@{cores}"]
 
+    def has(self, *words):
+        return "/".join(words) + "@1" in self.rows
+
     def nanoseconds(self, *words):
-        """Processor time for one item."""
+        """Time for one item; of computations processor time."""
         return 1e9 / self.row(*words)["items_per_second"]
 
     def milliseconds(self, *words, cores):
@@ -93,17 +96,25 @@ def reflectance(results):
     rows = []
     for material, aperture, number, lanes in results.names(r"reflectance/(\w+)/(\d+)/(\w+)/(\d+)/none"):
         case = (material, aperture, number, lanes)
+
+        def ratio(group, to):
+            name = (group, *case, "none")
+            return digits(results.nanoseconds(*name) / to) if results.has(*name) else ""
+
         facet = results.nanoseconds("fresnel_of_reflectance", *case, "none")
         evaluations = results.row("reflectance", *case, "none")["evaluations"]
         none, separate, full = (results.nanoseconds("reflectance", *case, model)
                                 for model in ("none", "separate", "full"))
         rows.append([material, f"{aperture}°", number, lanes_in_words(lanes), f"{evaluations:.2f}", digits(none),
-                     digits(none / facet), digits(separate / none), digits(full / none)])
+                     digits(none / facet), ratio("plain_loop", facet), ratio("known_ways", facet),
+                     digits(separate / none), digits(full / none)])
     return ("## Directional reflectance\n\nTime per direction, over the directions of a map. *Evaluations*: of the facet, "
             "for one direction. *Overhead*: the time against that of nothing but these evaluations, at the same "
-            "cosines. *separate* and *full*: the models of polarisation against none.\n\n" +
-            table(["facet", "aperture", "numbers", "computed", "evaluations", "ns", "overhead", "separate", "full"],
-                  rows))
+            "cosines; *of a plain loop*: of the same written by hand for numbers, with no thought of polarisation, "
+            "colour, packs or narrow grooves; *of known ways*: if number and cosines of the bounces and the weights of "
+            "the lobes are known beforehand. *separate* and *full*: the models of polarisation against none.\n\n" +
+            table(["facet", "aperture", "numbers", "computed", "evaluations", "ns", "overhead", "of a plain loop",
+                   "of known ways", "separate", "full"], rows))
 
 
 def growth(results):
@@ -119,7 +130,16 @@ def growth(results):
             table(["aperture α", "bounces", "evaluations", "µs", "µs × α/1°"], rows))
 
 
-def bihemispherical(results):
+def evaluations_of_apertures(rows):
+    """How many apertures need how many evaluations."""
+    counts = [row["fresnel_evaluations"] for row in rows]
+    few = sum(count < 3000 for count in counts)
+    worst = rows[counts.index(max(counts))]
+    return (f"{few} of {len(rows)} need fewer than 3,000, half of them at most {sorted(counts)[len(counts) // 2]:,}, "
+            f"{worst['aperture_deg']:g}° as many as {max(counts):,}")
+
+
+def bihemispherical(results, sweeps):
     def cell(material, aperture, tolerance):
         row = results.row("bihemispherical", material, aperture, tolerance)
         return f"{row['cpu_time'] / 1e3:.1f} µs, {row['evaluations']:.0f}"
@@ -127,7 +147,10 @@ def bihemispherical(results):
     rows = [[material, f"{aperture}°", *(cell(material, aperture, tolerance) for tolerance in TOLERANCES)]
             for material, aperture in results.names(r"bihemispherical/(\w+)/(\d+)/1e-10")]
     return ("## Bi-hemispherical reflectance\n\nTime and number of Fresnel evaluations for a tolerance.\n\n" +
-            table(["facet", "aperture", *TOLERANCES], rows))
+            table(["facet", "aperture", *TOLERANCES], rows) +
+            "\nEvaluations for 1e-10 at all apertures from 45° to 180° in steps of half a degree (`vcavity_maps table "
+            "--tolerance 1e-10 --aperture 45:180:0.5`): " +
+            "; ".join(f"{material}: {evaluations_of_apertures(rows)}" for material, rows in sweeps.items()) + ".\n")
 
 
 def maps(results, core_counts):
@@ -148,6 +171,19 @@ def maps(results, core_counts):
             "the same file alone, compression included.\n\n" +
             table(["wavelengths", "cores", "values", "colour", "compression", "writing", "command", "ratio"], rows) +
             "\n`vcavity_maps paper --size 256`: all figures, tables and the report.\n\n" + table(["cores", "seconds"], papers))
+
+
+def map_growth(results):
+    def rows(kind):
+        return [[f"{int(number):,}", digits(results.milliseconds("map_growth", kind, number, cores=1)),
+                 digits(results.nanoseconds("map_growth", kind, number))]
+                for number, in results.names(rf"map_growth/{kind}/(\d+)")]
+
+    return ("## Growth of maps\n\nValues of a map of copper, 60°, on one core, with their colour: one wavelength at any size, "
+            "and 512 × 512 at any number of wavelengths. The last column, the time for a pixel and wavelength, would be "
+            "constant if time grew in proportion.\n\n" +
+            table(["pixels along one side", "ms", "ns"], rows("pixels")) + "\n" +
+            table(["wavelengths", "ms", "ns"], rows("wavelengths")))
 
 
 def power_law(rows, exponent=None):
@@ -214,7 +250,7 @@ def targets(results, core_counts):
         ["polarisation `full` against `none`", "≤ 3",
          in_words((f"{case[1]}°", results.nanoseconds("reflectance", *case, "full") /
                    results.nanoseconds("reflectance", *case, "none")) for case in scalar)],
-        ["bi-hemispherical, 1e-10, α ≥ 45°: evaluations", "< 3,000",
+        ["bi-hemispherical, 1e-10, α in the table below: evaluations", "< 3,000",
          f"{worst(tight, lambda *case: results.row(*case)['evaluations']):,.0f} at most"],
         ["the same: time", "< 50 µs",
          f"{worst(tight, lambda *case: results.row(*case)['cpu_time']) / 1e3:.1f} µs at most"],
@@ -231,6 +267,51 @@ def targets(results, core_counts):
             results.milliseconds("map", "31", "values_and_colour", cores=1) /
             results.milliseconds("map", "31", "values_and_colour", cores=2))])
     return "## Targets\n\n" + table(["", "target", "reached"], rows)
+
+
+def plot(results, path):
+    """The limits and what is reached, in one picture."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams.update({"font.size": 8, "svg.hashsalt": "vcavity", "axes.spines.top": False,
+                                "axes.spines.right": False})
+    from matplotlib import pyplot
+
+    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(10, 3.2))
+
+    cases = results.names(r"kernel/([^/]+)/(double)/(\d+)")
+    for shift, wavelengths, colour, target in ((-0.2, "31", "#4477aa", 0.8), (0.2, "1", "#ee6677", 0.6)):
+        shown = [case for case in cases if case[2] == wavelengths]
+        ratios = [results.nanoseconds("bare", *case) / results.nanoseconds("kernel", *case) for case in shown]
+        left.bar([i + shift for i in range(len(shown))], ratios, 0.36, color=colour,
+                 label="one wavelength" if wavelengths == "1" else f"{wavelengths} wavelengths")
+        left.axhline(target, color=colour, linewidth=0.8, linestyle="--")
+        left.set_xticks(range(len(shown)), [case[0] for case in shown])
+    left.set(ylim=(0, 1.18), ylabel="throughput against a bare Fresnel loop", title="Map kernel, double (dashed: target)")
+    left.legend(frameon=False, loc="upper center", ncols=2)
+
+    for aperture, colour in (("45", "#4477aa"), ("90", "#228833"), ("150", "#ccbb44")):
+        for material, style in (("silver", "-"), ("glass", "--")):
+            time = [results.row("bihemispherical", material, aperture, tolerance)["cpu_time"] / 1e3
+                    for tolerance in TOLERANCES]
+            middle.plot([float(tolerance) for tolerance in TOLERANCES], time, style, color=colour, marker=".",
+                        label=f"{material}, {aperture}°")
+    middle.set(xscale="log", ylim=(0, None), xlabel="tolerance", ylabel="µs", title="Bi-hemispherical value, one core")
+    middle.invert_xaxis()
+    middle.legend(frameon=False)
+
+    apertures = [float(aperture) for aperture, in results.names(r"growth/silver/([\d.]+)")]
+    time = [results.nanoseconds("growth/silver", f"{aperture:g}") / 1e3 for aperture in apertures]
+    right.loglog(apertures, time, marker=".", color="#4477aa", label="silver, double")
+    one = apertures.index(1)
+    right.loglog(apertures, [time[one] / aperture for aperture in apertures], ":", color="gray", label="like 1/α")
+    right.set(xlabel="aperture α in degrees", ylabel="µs per direction", title="Narrow grooves")
+    right.invert_xaxis()
+    right.legend(frameon=False)
+
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
 
 
 def other_work():
@@ -262,6 +343,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="the build folder of bench.sh")
     parser.add_argument("--csv", type=pathlib.Path, help="also write every median to this file")
+    parser.add_argument("--plot", type=pathlib.Path, help="also draw a picture of them, an SVG")
     parser.add_argument("--into", type=pathlib.Path, help="replace the tables of this page instead of printing them")
     options = parser.parse_args()
 
@@ -287,6 +369,9 @@ def main():
     results = Results(runs)
     cost = json.loads(output(1, options.build / "bin/vcavity_maps", "cost", "--material", "Ag", "--aperture", "60",
                              "--format", "json"))
+    sweeps = {label: json.loads(output(1, options.build / "bin/vcavity_maps", "table", "--material", material,
+                                       "--aperture", "45:180:0.5", "--tolerance", "1e-10", "--format", "json"))["rows"]
+              for label, material in (("silver", "Ag"), ("glass", "1.5"))}
     bsdf = ("## BSDF\n\nNanoseconds per call in float (`bsdf_cost`).\n\n" + output(1, options.build / "bench/bsdf_cost"))
 
     if options.csv:
@@ -296,8 +381,10 @@ def main():
             for name, row in results.rows.items():
                 writer.writerow([*name.rsplit("@", 1), row["real_time"], row["cpu_time"], row["time_unit"],
                                  row.get("items_per_second", ""), row.get("evaluations", "")])
+    if options.plot:
+        plot(results, options.plot)
     text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts), kernels(results),
-                      maps(results, core_counts), reflectance(results), bihemispherical(results), growth(results),
+                      maps(results, core_counts), map_growth(results), reflectance(results), bihemispherical(results, sweeps), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
         print(text)

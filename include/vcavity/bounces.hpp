@@ -10,9 +10,11 @@
 #include <cassert>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 
 #include "cavity.hpp"
 #include "fan.hpp"
+#include "inline.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -71,14 +73,14 @@ class PanelImages {
 
   /// Steps to the next image.
   void advance() {
-    e_.turn();
+    e_.turn(2);
     panel_ = opposite(panel_);
     ++bounce_;
   }
 
   /// Steps over several images at once.
   void advance(int images) {
-    e_.turn(images);
+    e_.turn(std::int64_t{2} * images);
     if (images % 2 != 0) panel_ = opposite(panel_);
     bounce_ += images;
   }
@@ -96,9 +98,11 @@ class PanelImages {
   /// @param across its component from the first panel to the other
   /// @param up its component along the mean normal
   PanelImages(const Groove& cavity, const Real& along, const Real& across, const Real& up, Panel first)
-      : e_(cavity, up, across, 1), along_(along), panel_(first) {}
+      : e_(cavity, up, across), along_(along), panel_(first) {
+    e_.turn(1);
+  }
 
-  FanVector<Real, 2> e_;  // the direction, in components along and normal to the image
+  FanVector<Real> e_;  // the direction, in components along and normal to the image
   Real along_;
   Panel panel_;
   int bounce_ = 1;
@@ -107,7 +111,7 @@ class PanelImages {
 /// The value of a facet for one bounce: called with the cosine of the angle of incidence if it can be, else
 /// with the bounce itself.
 template <class Real, FacetReflectance<Real> Facet>
-value_t<Facet, Real> reflect(const Facet& facet, const PanelImages<Real>& bounce) {
+VCAVITY_INLINE value_t<Facet, Real> reflect(const Facet& facet, const PanelImages<Real>& bounce) {
   if constexpr (std::invocable<const Facet&, const Real&>) {
     return facet(bounce.cos_theta_i());
   } else {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "conventions.hpp"
-#include "turning_vector.hpp"
+#include "inline.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -58,12 +58,6 @@ class Cavity {
   /// 1 − cos(α/2), with all its digits when α is small
   const Real& versine_half() const { return versine_half_; }
 
-  /// sin α
-  Real sin_aperture() const { return Real(2) * sin_half_ * cos_half_; }
-
-  /// 1 − cos α, with all its digits when α is small
-  Real versine_aperture() const { return Real(2) * sin_half_ * sin_half_; }
-
   /// Cosine and sine of an angle.
   struct Rotation {
     Real cosine;
@@ -74,7 +68,16 @@ class Cavity {
   static constexpr int tabulated_multiples = 15;
 
   /// Cosine and sine of kα/2, for k in [0, tabulated_multiples].
-  const Rotation& multiple(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
+  const Rotation& tabulated(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
+
+  /// Cosine and sine of kα/2, for any k ≥ 0.
+  VCAVITY_INLINE Rotation multiple(std::int64_t k) const {
+    if (k <= tabulated_multiples) return tabulated(k);
+    using std::cos;
+    using std::sin;
+    const Real angle = Real(k) * (aperture_ / Real(2));
+    return {cos(angle), sin(angle)};
+  }
 
   /// The normal of a panel, pointing into the groove (Eq. 5).
   Vec3<Real> normal(Panel panel) const {
@@ -102,11 +105,13 @@ class Cavity {
   }
 
   void fill_multiples() {
-    TurningVector<Real> turned(Real(1), Real(0), sin_half_, versine_half_);
-    for (Rotation& multiple : multiples_) {
-      multiple = {turned.x(), turned.y()};
-      turned.turn();
+    using std::cos;
+    using std::sin;
+    for (int k = 0; k <= tabulated_multiples; ++k) {
+      const Real angle = Real(k) * (aperture_ / Real(2));
+      multiples_[static_cast<std::size_t>(k)] = {cos(angle), sin(angle)};
     }
+    multiples_[1].cosine = cos_half_;
   }
 
   Real aperture_;

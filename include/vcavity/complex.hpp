@@ -4,6 +4,8 @@
 /// Complex numbers over any value type: `std::complex` is defined for float, double and long double only,
 /// while field amplitudes are also needed for packs, colours and 50-digit numbers.
 
+#include "inline.hpp"
+
 namespace vcavity {
 
 /// re + i·im
@@ -12,22 +14,26 @@ struct Complex {
   Value re;
   Value im;
 
-  friend Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
-  friend Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
-  friend Complex operator*(const Complex& a, const Complex& b) {
+  VCAVITY_INLINE friend Complex operator+(const Complex& a, const Complex& b) {
+    return {a.re + b.re, a.im + b.im};
+  }
+  VCAVITY_INLINE friend Complex operator-(const Complex& a, const Complex& b) {
+    return {a.re - b.re, a.im - b.im};
+  }
+  VCAVITY_INLINE friend Complex operator*(const Complex& a, const Complex& b) {
     return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
   }
-  friend Complex operator*(const Value& s, const Complex& a) { return {s * a.re, s * a.im}; }
-  friend Complex operator/(const Complex& a, const Complex& b) {
+  VCAVITY_INLINE friend Complex operator*(const Value& s, const Complex& a) { return {s * a.re, s * a.im}; }
+  VCAVITY_INLINE friend Complex operator/(const Complex& a, const Complex& b) {
     const Value inverse = Value(1) / norm(b);
     return {(a.re * b.re + a.im * b.im) * inverse, (a.im * b.re - a.re * b.im) * inverse};
   }
 
   /// The complex conjugate.
-  friend Complex conj(const Complex& a) { return {a.re, -a.im}; }
+  VCAVITY_INLINE friend Complex conj(const Complex& a) { return {a.re, -a.im}; }
 
   /// The squared modulus.
-  friend Value norm(const Complex& a) { return a.re * a.re + a.im * a.im; }
+  VCAVITY_INLINE friend Value norm(const Complex& a) { return a.re * a.re + a.im * a.im; }
 };
 
 }  // namespace vcavity

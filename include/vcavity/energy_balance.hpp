@@ -29,8 +29,10 @@ struct EnergyBalance {
   /// 1: all reflected. 0: no light at all.
   explicit EnergyBalance(int light) : reflected(light == 0 ? Value(0) : Value(1)), absorbed(Value(0)) {}
 
+  /// The rounding of many bounces never adds up to more than all of the light.
   friend EnergyBalance operator*(const EnergyBalance& first, const EnergyBalance& second) {
-    return {first.reflected * second.reflected, first.absorbed + first.reflected * second.absorbed};
+    return {first.reflected * second.reflected,
+            at_most(Value(first.absorbed + first.reflected * second.absorbed), value_type(1))};
   }
   friend EnergyBalance operator+(const EnergyBalance& a, const EnergyBalance& b) {
     return {a.reflected + b.reflected, a.absorbed + b.absorbed};

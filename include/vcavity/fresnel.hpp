@@ -32,6 +32,7 @@
 #include <stdexcept>
 
 #include "complex.hpp"
+#include "inline.hpp"
 #include "pack.hpp"
 #include "value.hpp"
 
@@ -110,7 +111,7 @@ struct Incidence {
   using Real = scalar_t<Cosine>;
 
   /// Cosines are taken to lie in [`smallest_cosine`, 1].
-  explicit Incidence(const Cosine& cos_theta_i)
+  VCAVITY_INLINE explicit Incidence(const Cosine& cos_theta_i)
       : c(at_most(at_least(cos_theta_i, smallest_cosine<Real>()), Real(1))),
         c2(c * c),
         s2((Cosine(1) - c) * (Cosine(1) + c)) {}
@@ -119,7 +120,7 @@ struct Incidence {
   /// @param permittivity Re (n + ik)²
   /// @param contrast Re m
   template <class Value>
-  Value normal_component_squared(const Value& permittivity, const Value& contrast) const {
+  VCAVITY_INLINE Value normal_component_squared(const Value& permittivity, const Value& contrast) const {
     if constexpr (Number<Cosine>) {
       return c2 < s2 ? Value(contrast + Value(c2)) : Value(permittivity - Value(s2));
     } else {
@@ -151,7 +152,8 @@ struct RefractedWave {
   /// @param contrast m = (n + ik)² − 1, Im m ≥ 0
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1], one for all components or one for each
   template <class Cosine>
-  RefractedWave(const Value& permittivity, const Complex<Value>& contrast, const Cosine& cos_theta_i) {
+  VCAVITY_INLINE RefractedWave(const Value& permittivity, const Complex<Value>& contrast,
+                               const Cosine& cos_theta_i) {
     using std::sqrt;
     const auto incidence = incidence_for<Value>(cos_theta_i);
     c = Value(incidence.c);
@@ -167,10 +169,10 @@ struct RefractedWave {
   }
 
   /// |c + w|²
-  Value sum_norm() const { return c * c + Real(2) * (c * w.re) + w_norm; }
+  VCAVITY_INLINE Value sum_norm() const { return c * c + Real(2) * (c * w.re) + w_norm; }
 
   /// |c − w|²|c + w|², which is |m|²; that is less exact where c and w are of unlike size.
-  Value difference_norm(const Value& contrast_norm) const {
+  VCAVITY_INLINE Value difference_norm(const Value& contrast_norm) const {
     const Value c2 = c * c;
     const Value real = c2 - w_norm;
     const Value imaginary = Real(2) * (c * w.im);
@@ -179,10 +181,12 @@ struct RefractedWave {
   }
 
   /// |c w + s²|²
-  Value parallel_sum_norm() const { return norm(Complex<Value>{c * w.re + s2, c * w.im}); }
+  VCAVITY_INLINE Value parallel_sum_norm() const { return norm(Complex<Value>{c * w.re + s2, c * w.im}); }
 
   /// |c w − s²|²
-  Value parallel_difference_norm() const { return norm(Complex<Value>{c * w.re - s2, c * w.im}); }
+  VCAVITY_INLINE Value parallel_difference_norm() const {
+    return norm(Complex<Value>{c * w.re - s2, c * w.im});
+  }
 
   Value c;           ///< cosine of the angle of incidence
   Value s2;          ///< its squared sine
@@ -191,18 +195,19 @@ struct RefractedWave {
 };
 
 template <class Value, class Cosine>
-Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Value>& contrast,
-                                     const Cosine& cos_theta_i) {
+VCAVITY_INLINE Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, const Complex<Value>& contrast,
+                                                    const Cosine& cos_theta_i) {
   using Real = scalar_t<Value>;
   const RefractedWave<Value> wave(permittivity, contrast, cos_theta_i);
-  // (c − w)/(c + w) = (c² − |w|² − 2ic Im w)/|c + w|². Where c² − |w|² would cancel, m stands in for w² − c².
+  // (c − w)/(c + w) = (c² − |w|² − 2ic Im w)/|c + w|². Where c² − |w|² would cancel, m stands in for w² − c²:
+  // it is −(|m|² + 2c² Re m)/(c² + |w|²).
   const Value c2 = wave.c * wave.c;
-  const Value from_contrast =
-      Real(-1) * ((norm(contrast) + Real(2) * (c2 * contrast.re)) / (c2 + wave.w_norm));
-  const Value difference =
-      select_nonnegative(Value(wave.w_norm - Real(2) * c2), Value(c2 - wave.w_norm), from_contrast);
-  const Value inverse = Value(1) / wave.sum_norm();
-  const Complex<Value> r_s{difference * inverse, Real(-2) * (wave.c * wave.w.im * inverse)};
+  const Value far = wave.w_norm - Real(2) * c2;  // not negative where nothing cancels
+  const Value numerator = select_nonnegative(
+      far, Value(c2 - wave.w_norm), Value(Real(-1) * (norm(contrast) + Real(2) * (c2 * contrast.re))));
+  const Value denominator = select_nonnegative(far, Value(1), Value(c2 + wave.w_norm));
+  const Value inverse = Value(1) / (denominator * wave.sum_norm());
+  const Complex<Value> r_s{numerator * inverse, Real(-2) * (wave.c * wave.w.im * (denominator * inverse))};
   const Complex<Value> cw = wave.c * wave.w;
   const Complex<Value> s2{wave.s2, Value(0)};
   return {r_s, r_s * ((cw - s2) / (cw + s2))};
@@ -247,7 +252,7 @@ class Conductor {
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
-  Value operator()(const Cosine& cos_theta_i) const {
+  VCAVITY_INLINE Value operator()(const Cosine& cos_theta_i) const {
     const detail::RefractedWave<Value> wave(permittivity_, contrast_, cos_theta_i);
     const Value sum_norm = wave.sum_norm();
     const Value r_s = wave.difference_norm(contrast_norm_) / (sum_norm * sum_norm);
@@ -277,7 +282,7 @@ class Conductor {
   /// Amplitudes r_s and r_p.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
-  Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
+  VCAVITY_INLINE Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     return detail::fresnel_amplitudes(permittivity_, contrast_, cos_theta_i);
   }
 
@@ -344,7 +349,7 @@ class Dielectric {
   /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
-  Value operator()(const Cosine& cos_theta_i) const {
+  VCAVITY_INLINE Value operator()(const Cosine& cos_theta_i) const {
     const Wave wave(permittivity_, contrast_, cos_theta_i);
     const Value r_s = wave.difference(contrast_) / wave.sum_norm();
     const Value ratio = (wave.cw - wave.s2) / (wave.cw + wave.s2);
@@ -378,7 +383,7 @@ class Dielectric {
   /// Amplitudes r_s and r_p; complex in total reflection.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
-  Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
+  VCAVITY_INLINE Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     return detail::fresnel_amplitudes(permittivity_, Complex<Value>{contrast_, Value(0)}, cos_theta_i);
   }
 
@@ -407,7 +412,7 @@ class Dielectric {
  private:
   struct Wave {
     template <class Cosine>
-    Wave(const Value& permittivity, const Value& contrast, const Cosine& cos_theta_i) {
+    VCAVITY_INLINE Wave(const Value& permittivity, const Value& contrast, const Cosine& cos_theta_i) {
       using std::sqrt;
       const auto incidence = detail::incidence_for<Value>(cos_theta_i);
       c = Value(incidence.c);
@@ -417,7 +422,7 @@ class Dielectric {
       cw = c * w;
     }
     /// (w − c)(w + c), which is m; that is less exact where c and w are of unlike size.
-    Value difference(const Value& contrast) const {
+    VCAVITY_INLINE Value difference(const Value& contrast) const {
       return select_nonnegative(Value(w - Real(2) * c), Value((w - c) * (w + c)), contrast);
     }
     /// (c + w)²

@@ -392,10 +392,10 @@ class HemisphereQuadrature {
     if constexpr (in_packs()) {
       const auto facet = facet_.template over_directions<lanes>();
       const CountedFacet<decltype(facet)> counted{facet, &evaluations_, static_cast<int>(lanes)};
-      return unpolarized(directional_reflectance(cavity_, e, counted, most_bounces_));
+      return unpolarized_reflectance(cavity_, e, counted, most_bounces_);
     } else {
-      return unpolarized(
-          directional_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1}, most_bounces_));
+      return unpolarized_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1},
+                                     most_bounces_);
     }
   }
 

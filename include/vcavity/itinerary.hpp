@@ -14,9 +14,18 @@ namespace vcavity {
 template <class Real>
 class Itinerary {
  public:
+  Itinerary() = default;
+
+  /// The same as `follow`.
+  Itinerary(const Cavity<Real>& cavity, const Vec3<Real>& e, int most_bounces = all_bounces) {
+    follow(cavity, e, most_bounces);
+  }
+
+  /// Notes down another direction, in the memory of the one before.
   /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
   /// @param most_bounces lobes of more bounces are left out
-  Itinerary(const Cavity<Real>& cavity, const Vec3<Real>& e, int most_bounces = all_bounces) {
+  void follow(const Cavity<Real>& cavity, const Vec3<Real>& e, int most_bounces = all_bounces) {
+    bounces_.clear();
     const auto note = [this](const PanelImages<Real>& bounce) {
       bounces_.push_back({bounce.cos_theta_i(), Real(0), bounce.bounce()});
       return Real(1);

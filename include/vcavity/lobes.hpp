@@ -30,7 +30,7 @@
 
 #include "bounces.hpp"
 #include "cavity.hpp"
-#include "fan.hpp"
+#include "inline.hpp"
 #include "progression.hpp"
 #include "value.hpp"
 
@@ -57,6 +57,7 @@ class Lobes {
     assert(size_ < 4);
     lobes_[size_++] = lobe;
   }
+  Lobe<Real, Value>& back() { return lobes_[size_ - 1]; }
   std::size_t size() const { return size_; }
   const Lobe<Real, Value>& operator[](std::size_t i) const { return lobes_[i]; }
   const Lobe<Real, Value>* begin() const { return lobes_.data(); }
@@ -67,8 +68,7 @@ class Lobes {
   std::size_t size_ = 0;
 };
 
-/// A fraction of the opening below this is the rounding error of a direction at a change of the bounce count;
-/// it is counted with its neighbour.
+/// A fraction of the opening below this is the rounding error of a direction at a change of the bounce count.
 template <Number Real>
 Real negligible_fraction() {
   return Real(4) * std::numeric_limits<Real>::epsilon();
@@ -81,8 +81,8 @@ struct LitOpening {
   using Scalar = scalar_t<Real>;
 
   /// @param e direction towards the light, e.z ≥ least_up
-  LitOpening(const Cavity<Scalar>& cavity, const Vec3<Real>& e)
-      : inverse_e_z(Real(1) / e.z), inverse_width(Real(1) / (Scalar(2) * cavity.sin_half() * e.z)) {
+  VCAVITY_INLINE LitOpening(const Cavity<Scalar>& cavity, const Vec3<Real>& e)
+      : inverse_e_z(Real(1) / e.z), inverse_width((Scalar(0.5) * cavity.inverse_sin_half()) * inverse_e_z) {
     const Real other_normal = cavity.sin_half() * e.z - cavity.cos_half() * magnitude(e.y);
     other_share = at_least(Real(other_normal * inverse_width), Scalar(0));
     both = other_share - Real(negligible_fraction<Scalar>());
@@ -103,7 +103,7 @@ struct LitOpening {
   bool all_both;
 };
 
-/// The series f_j of one first panel, advanced in step with its `PanelImages`.
+/// The series f_j of one first panel.
 /// @tparam Real number type of a component, or a `Pack` of them: as many directions at once
 template <class Real>
 class ReachedFractions {
@@ -112,47 +112,46 @@ class ReachedFractions {
 
   /// @param e direction towards the light, e.z ≥ least_up
   /// @param opening as the light finds it
-  /// @param first the panel met first
+  /// @param first the image of the panel met first
   ReachedFractions(const Cavity<Scalar>& cavity, const Vec3<Real>& e, const LitOpening<Real>& opening,
-                   Panel first)
-      : opening_(opening),
-        inverse_sine_(cavity.inverse_sin_half()),
-        first_(first == facing_panel(e) ? Real(Real(1) - opening.other_share) : opening.other_share),
-        fan_(cavity, Scalar(1), Scalar(0), 1),
-        slope_(cavity, e.z, magnitude(e.y), 0) {}
+                   const PanelImages<Real>& first)
+      : cavity_(cavity),
+        e_(e),
+        opening_(opening),
+        first_(first.panel() == facing_panel(e) ? Real(Real(1) - opening.other_share) : opening.other_share),
+        surely_reached_(first.normal_component() +
+                        Real(Scalar(16) * std::numeric_limits<Scalar>::epsilon())) {}
 
   /// f_1: the fraction of the opening whose rays meet this panel first.
   const Real& first() const { return first_; }
 
-  /// Steps over several of the series at once, while the fraction is still f_1.
-  void advance(int steps) {
-    if (opening_.all_both) return;
-    fan_.turn(steps);
-    slope_.turn(steps);
+  /// Whether all of these rays bounce at an image too, at the cost of a comparison: c_j > c_1, by more than
+  /// rounding.
+  bool all_reach(const PanelImages<Real>& image) const {
+    return all_positive(Real(image.normal_component() - surely_reached_));
   }
 
-  /// Steps from f_j to f_{j+1}.
-  /// @param images at bounce j + 1
-  /// @return f_{j+1}
-  Real advance(const PanelImages<Real>& images) {
+  /// f_j, where j is the number of the image.
+  /// @param before f_{j−1}, which f_j never exceeds
+  VCAVITY_INLINE Real at(const PanelImages<Real>& image, const Real& before) const {
     Real on_one(0);
     if (!opening_.all_both) {
-      fan_.turn();
-      slope_.turn();
-      const Real share = (fan_.y() * inverse_sine_) * (slope_.x() * opening_.inverse_e_z);
-      on_one = at_least(at_most(share, Scalar(1)), Scalar(0));
+      const auto turn = cavity_.multiple(image.bounce() - 1);
+      const Real slope = turn.cosine * e_.z - turn.sine * magnitude(e_.y);
+      const Scalar fan = cavity_.multiple(image.bounce()).sine * cavity_.inverse_sin_half();
+      on_one = at_least(at_most(Real(fan * (slope * opening_.inverse_e_z)), before), Scalar(0));
       if (!opening_.any_both) return on_one;
     }
-    const Real share = images.normal_component() * opening_.inverse_width;
-    return select_positive(opening_.both, at_least(at_most(share, first_), Scalar(0)), on_one);
+    const Real share = image.normal_component() * opening_.inverse_width;
+    return select_positive(opening_.both, at_least(at_most(share, before), Scalar(0)), on_one);
   }
 
  private:
+  const Cavity<Scalar>& cavity_;
+  const Vec3<Real>& e_;
   const LitOpening<Real>& opening_;
-  Scalar inverse_sine_;  // 1/sin(α/2)
   Real first_;
-  FanVector<Scalar, 1> fan_;  // cos(jα/2), sin(jα/2)
-  FanVector<Real, 1> slope_;  // e_z cos((j−1)α/2) − |e_y| sin((j−1)α/2), and its companion
+  Real surely_reached_;  // a normal component above this
 };
 
 /// What to do with light of which nothing is left, its throughput being below the smallest normal number.
@@ -164,15 +163,22 @@ enum class DarkLight {
 /// From this number of bounces on it may pay to do many at once.
 inline constexpr int narrow_groove = 200;
 
-/// In a narrow groove, multiplies a throughput by the reflectances of many bounces at once, all of which
-/// reach every ray of the first panel: the logarithm of the product is a sum over an arithmetic progression
-/// of angles. Does nothing where that does not pay, or the facet is no function of the cosine with positive
-/// numbers for values.
-/// @param images, fractions at the first bounce; advanced by what was done
+/// Where light goes on bounce by bounce.
+template <class Real, class Value>
+struct Continuation {
+  PanelImages<Real> images;  ///< at the next bounce
+  Value throughput;          ///< of the bounces before
+};
+
+/// In a narrow groove, does many bounces at once, all of which reach every ray of the first panel: the
+/// logarithm of their product is a sum over an arithmetic progression of angles. Does nothing where that does
+/// not pay, or the facet is no function of the cosine with positive numbers for values.
+/// @param images at the first bounce
 /// @param most_bounces none beyond these is done
-template <class Real, class Facet, class Value>
-void reflect_many(const Facet& facet, PanelImages<Real>& images, ReachedFractions<Real>& fractions,
-                  const scalar_t<Real>& aperture, int most_bounces, Value& throughput) {
+template <class Value, class Real, class Facet>
+[[gnu::noinline]] Continuation<Real, Value> reflect_many(const Facet& facet, PanelImages<Real> images,
+                                                         const scalar_t<Real>& aperture, int most_bounces) {
+  Value throughput(1);
   if constexpr (std::is_floating_point_v<Real> && std::is_floating_point_v<Value> &&
                 std::invocable<const Facet&, const Real&>) {
     constexpr int least_log2 = 7;  // shorter series are done bounce by bounce
@@ -191,13 +197,13 @@ void reflect_many(const Facet& facet, PanelImages<Real>& images, ReachedFraction
       const int count = 1 << log2;
       const auto sum = progression_sum<Real>(log_reflectance, images.bounce(), log2,
                                              Real(3 * count) * std::numeric_limits<Real>::epsilon());
-      if (!sum) return;
+      if (!sum) break;
       throughput *= static_cast<Value>(std::exp(*sum));
       images.advance(count);
-      fractions.advance(count);
       left -= count;
     }
   }
+  return {images, throughput};
 }
 
 /// Whether nothing is left of a throughput. That shows in long series only, and is looked for now and then.
@@ -207,23 +213,19 @@ bool is_dark(const Value& throughput, int bounce) {
   return bounce % seldom == 0 && largest(throughput) < std::numeric_limits<scalar_t<Value>>::min();
 }
 
-/// Calls `visit` with every lobe of a direction; the loop behind `lobes` and `directional_reflectance`.
-///
-/// For a pack of directions, a bounce at which none of them has a lobe is left out; where only some have one,
-/// the weight of the others is 0.
-///
-/// A fraction of the opening below `negligible_fraction` is the rounding error of a direction at a change of
-/// the bounce count. It is counted with its neighbour, so no such lobe appears.
+/// Calls `visit` with every bounce after which light of a direction may leave, and the weight and throughput
+/// of the light that does; the loop behind `lobes` and `directional_reflectance`. Weights may be 0, and at a
+/// change of the bounce count they may be the rounding error of the direction.
 ///
 /// @param towards_light direction towards the light, or towards the viewer under diffuse light; z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces lobes of more bounces are left out
-/// @param visit called as visit(images at the last bounce, weight, throughput)
+/// @param visit called as visit(images at the bounce, weight, throughput)
 template <class Real, FacetReflectance<Real> Facet, class Visit>
-void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towards_light, const Facet& facet,
-                   int most_bounces, Visit&& visit, DarkLight dark_light = DarkLight::followed) {
+VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towards_light,
+                                  const Facet& facet, int most_bounces, Visit&& visit,
+                                  DarkLight dark_light = DarkLight::followed) {
   using Value = value_t<Facet, Real>;
-  const scalar_t<Real> negligible = negligible_fraction<scalar_t<Real>>();
   assert(!any_positive(Real(-towards_light.z)));
   const int most = std::min(most_bounces, cavity.max_bounces());
   if (most < 1) return;
@@ -232,15 +234,20 @@ void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towar
                      at_least(towards_light.z, LitOpening<Real>::least_up(cavity))};
   const LitOpening<Real> opening(cavity, e);
   const Panel facing = facing_panel(e);
-  for (const Panel first : {facing, opposite(facing)}) {
-    if (first != facing && !opening.any_both) break;
+  const bool is_narrow = cavity.max_bounces() > Cavity<scalar_t<Real>>::tabulated_multiples;
+  for (int panel = 0; panel < (opening.any_both ? 2 : 1); ++panel) {
+    const Panel first = panel == 0 ? facing : opposite(facing);
     PanelImages<Real> images(cavity, e, first);
-    ReachedFractions<Real> fractions(cavity, e, opening, first);
-    Value throughput(1);
+    const ReachedFractions<Real> fractions(cavity, e, opening, images);
     Real reached = fractions.first();
-    if (most >= narrow_groove && any_positive(reached))
-      reflect_many(facet, images, fractions, cavity.aperture(), most, throughput);
-    while (any_positive(reached)) {
+    if (!any_positive(reached)) continue;
+    Value throughput(1);
+    if (most >= narrow_groove) {
+      const auto rest = reflect_many<Value>(facet, images, cavity.aperture(), most);
+      images = rest.images;
+      throughput = rest.throughput;
+    }
+    for (;;) {
       if (!is_dark(throughput, images.bounce())) {
         throughput = throughput * reflect(facet, images);
       } else if (dark_light == DarkLight::merged) {
@@ -249,18 +256,17 @@ void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towar
       }
       const PanelImages<Real> last = images;
       images.advance();
-      Real next = last.bounce() < cavity.max_bounces() ? fractions.advance(images) : Real(0);
-      next = select_nonnegative(Real(next - Real(negligible)), next, Real(0));
-      next = select_nonnegative(Real(reached - next - Real(negligible)), next, reached);
-      const Real weight = reached - next;
-      if (any_positive(weight)) visit(last, weight, throughput);
-      if (last.bounce() >= most) break;
+      if (last.bounce() < most && is_narrow && fractions.all_reach(images)) continue;
+      const Real next = last.bounce() < cavity.max_bounces() ? fractions.at(images, reached) : Real(0);
+      visit(last, Real(reached - next), throughput);
+      if (last.bounce() >= most || !any_positive(next)) break;
       reached = next;
     }
   }
 }
 
-/// The lobes of a direction, at most four.
+/// The lobes of a direction, at most four. One of less than `negligible_fraction` is counted with its
+/// neighbour.
 ///
 /// @param e direction towards the light, e.z ≥ 0. By reciprocity also the direction towards a viewer of the
 /// groove in
@@ -272,11 +278,19 @@ Lobes<Real, value_t<Facet, Real>> lobes(const Cavity<Real>& cavity, const Vec3<R
                                         int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   Lobes<Real, Value> result;
+  Real waiting(0);  // for a lobe to be counted with
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>& last, const Real& weight, const Value& throughput) {
         const Panel first = last.bounce() % 2 == 1 ? last.panel() : opposite(last.panel());
-        result.push_back({first, last.bounce(), weight, throughput, last.exit_direction(cavity, e)});
+        waiting = waiting + weight;
+        if (waiting > negligible_fraction<Real>()) {
+          result.push_back({first, last.bounce(), waiting, throughput, last.exit_direction(cavity, e)});
+          waiting = Real(0);
+        } else if (result.size() > 0 && result.back().first_panel == first) {
+          result.back().weight = result.back().weight + waiting;
+          waiting = Real(0);
+        }
       });
   return result;
 }

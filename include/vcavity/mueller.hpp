@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "inline.hpp"
 #include "jones.hpp"
 
 namespace vcavity {
@@ -34,7 +35,7 @@ class Mueller {
 
   /// What a Jones matrix does to intensities: M_ij = ½ tr(σ_i J σ_j J†), with the Pauli matrices in the order
   /// of the Stokes parameters.
-  explicit Mueller(const Jones<Value>& j) {
+  VCAVITY_INLINE explicit Mueller(const Jones<Value>& j) {
     const value_type half(0.5);
     const Value aa = norm(j.aa), ab = norm(j.ab), ba = norm(j.ba), bb = norm(j.bb);
     const Complex<Value> to_a = j.aa * conj(j.ab), to_b = j.ba * conj(j.bb);
@@ -95,7 +96,7 @@ class Mueller {
 
 /// Waves of different lobes do not interfere: their Mueller matrices add up, not their Jones matrices.
 template <class Value>
-Mueller<Value> power(const Jones<Value>& throughput) {
+VCAVITY_INLINE Mueller<Value> power(const Jones<Value>& throughput) {
   return Mueller<Value>(throughput);
 }
 

@@ -16,7 +16,9 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
+#include "inline.hpp"
 #include "value.hpp"
 
 namespace vcavity {
@@ -86,7 +88,7 @@ class Pack {
   }
 
   /// The `size` components that start at an address.
-  static Pack load(const Real* components) {
+  VCAVITY_INLINE static Pack load(const Real* components) {
     Pack result(components[size - 1]);
     std::memcpy(result.registers_, components, size * sizeof(Real));
     return result;
@@ -99,60 +101,53 @@ class Pack {
   const Real* begin() const { return reinterpret_cast<const Real*>(registers_); }
   const Real* end() const { return begin() + size; }
 
-  friend Pack operator-(const Pack& a) {
+  VCAVITY_INLINE friend Pack operator-(const Pack& a) {
     return map([](const auto& x) { return -x; }, a);
   }
-  friend Pack operator+(const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack operator+(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return x + y; }, a, b);
   }
-  friend Pack operator-(const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack operator-(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return x - y; }, a, b);
   }
-  friend Pack operator*(const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack operator*(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return x * y; }, a, b);
   }
-  friend Pack operator/(const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack operator/(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return x / y; }, a, b);
   }
-  friend Pack operator*(const Real& s, const Pack& a) {
+  VCAVITY_INLINE friend Pack operator*(const Real& s, const Pack& a) {
     return map([y = broadcast(s)](const auto& x) { return y * x; }, a);
   }
   friend bool operator==(const Pack& a, const Pack& b) { return std::equal(a.begin(), a.end(), b.begin()); }
 
-  friend Pack sqrt(const Pack& a) {
-    using std::sqrt;
+  VCAVITY_INLINE friend Pack sqrt(const Pack& a) {
     Pack result = a;
-    for (Register& x : result.registers_) {
-      if constexpr (width == 1) {
-        x = sqrt(x);
-      } else {
-        for (std::size_t i = 0; i < width; ++i) x[i] = sqrt(x[i]);
-      }
-    }
+    for (Register& x : result.registers_) x = root(x, std::make_index_sequence<width>());
     return result;
   }
-  friend Pack magnitude(const Pack& a) {
+  VCAVITY_INLINE friend Pack magnitude(const Pack& a) {
     return map([](const auto& x) { return x < zero() ? -x : x; }, a);
   }
-  friend Pack select_nonnegative(const Pack& x, const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack select_nonnegative(const Pack& x, const Pack& a, const Pack& b) {
     return map([](const auto& t, const auto& y, const auto& z) { return t >= zero() ? y : z; }, x, a, b);
   }
-  friend Pack select_positive(const Pack& x, const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack select_positive(const Pack& x, const Pack& a, const Pack& b) {
     return map([](const auto& t, const auto& y, const auto& z) { return t > zero() ? y : z; }, x, a, b);
   }
-  friend Pack at_least(const Pack& a, const Real& floor) {
+  VCAVITY_INLINE friend Pack at_least(const Pack& a, const Real& floor) {
     return map([low = broadcast(floor)](const auto& x) { return x < low ? low : x; }, a);
   }
-  friend Pack at_most(const Pack& a, const Real& ceiling) {
+  VCAVITY_INLINE friend Pack at_most(const Pack& a, const Real& ceiling) {
     return map([high = broadcast(ceiling)](const auto& x) { return high < x ? high : x; }, a);
   }
-  friend Pack at_most(const Pack& a, const Pack& b) {
+  VCAVITY_INLINE friend Pack at_most(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
   }
-  friend bool any_positive(const Pack& a) {
+  VCAVITY_INLINE friend bool any_positive(const Pack& a) {
     return a.any([](const auto& x) { return x > decltype(x + x){}; });
   }
-  friend bool all_positive(const Pack& a) {
+  VCAVITY_INLINE friend bool all_positive(const Pack& a) {
     return !a.any([](const auto& x) { return !(x > decltype(x + x){}); });
   }
   template <class Visit>
@@ -166,18 +161,28 @@ class Pack {
   }
 
  private:
-  static Register broadcast(const Real& value) {
+  // Without a loop, compilers see the one instruction that this is.
+  template <std::size_t... lane>
+  VCAVITY_INLINE static Register root(const Register& x, std::index_sequence<lane...>) {
+    using std::sqrt;
+    if constexpr (width == 1) {
+      return sqrt(x);
+    } else {
+      return Register{sqrt(x[lane])...};
+    }
+  }
+  VCAVITY_INLINE static Register broadcast(const Real& value) {
     if constexpr (width == 1) {
       return value;
     } else {
       return value - Register{};
     }
   }
-  static Register zero() { return Register(broadcast(Real(0))); }
+  VCAVITY_INLINE static Register zero() { return Register(broadcast(Real(0))); }
 
   /// The pack of operation(a, b, …), a register at a time.
   template <class Operation, class... Packs>
-  static Pack map(Operation operation, const Packs&... packs) {
+  VCAVITY_INLINE static Pack map(Operation operation, const Packs&... packs) {
     Pack result;
     for (std::size_t i = 0; i < registers; ++i) result.registers_[i] = operation(packs.registers_[i]...);
     return result;
@@ -185,7 +190,7 @@ class Pack {
 
   /// Whether a condition holds for some component.
   template <class Condition>
-  bool any(Condition condition) const {
+  VCAVITY_INLINE bool any(Condition condition) const {
     if constexpr (width == 1 || size % width != 0) {
       for (const Real& x : *this)
         if (bool(condition(x))) return true;
@@ -193,11 +198,22 @@ class Pack {
     } else {
       auto found = condition(registers_[0]);
       for (std::size_t i = 1; i < registers; ++i) found |= condition(registers_[i]);
-      std::array<std::uint64_t, sizeof found / sizeof(std::uint64_t)> words;
-      std::memcpy(words.data(), &found, sizeof found);
-      std::uint64_t bits = 0;
-      for (const std::uint64_t word : words) bits |= word;
-      return bits != 0;
+      return any_bit(found);
+    }
+  }
+
+  /// Whether a bit is set; halves are combined until they fit into a word.
+  template <class Bits>
+  VCAVITY_INLINE static bool any_bit(const Bits& bits) {
+    if constexpr (sizeof bits <= sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, &bits, sizeof bits);
+      return word != 0;
+    } else {
+      typedef std::uint64_t Half __attribute__((vector_size(sizeof bits / 2)));
+      Half halves[2];
+      std::memcpy(halves, &bits, sizeof bits);
+      return any_bit(halves[0] | halves[1]);
     }
   }
 

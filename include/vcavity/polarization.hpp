@@ -26,6 +26,7 @@
 
 #include "bounces.hpp"
 #include "fresnel.hpp"
+#include "inline.hpp"
 #include "mueller.hpp"
 
 namespace vcavity {
@@ -64,6 +65,9 @@ struct SeparatePolarizations {
   friend SeparatePolarizations operator*(const Value& scale,
                                          const SeparatePolarizations& a) requires(!Number<Value>) {
     return {scale * a.s, scale * a.p};
+  }
+  friend SeparatePolarizations at_most(const SeparatePolarizations& a, const value_type& ceiling) {
+    return {at_most(a.s, ceiling), at_most(a.p, ceiling)};
   }
   friend value_type largest(const SeparatePolarizations& a) { return at_least(largest(a.s), largest(a.p)); }
 };
@@ -137,13 +141,13 @@ struct IncidencePlane {
     Real p_a = bounce.along_component() * bounce.normal_component();
     Real p_b = bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
     // Almost along the groove both are so small that their squares would vanish; only their ratio counts.
-    constexpr auto inverse_of = [](const Real& x) {
-      return Real(Real(1) / at_least(x, smallest_divisor<scalar_t<Real>>()));
-    };
-    const Real inverse_size = inverse_of(magnitude(p_a) + magnitude(p_b));
-    p_a = p_a * inverse_size;
-    p_b = p_b * inverse_size;
-    const Real inverse = inverse_of(p_a * p_a + p_b * p_b);
+    using Scalar = scalar_t<Real>;
+    const Scalar small = detail::smallest_cosine<Scalar>();
+    const Real scale = select_nonnegative(Real(magnitude(p_a) + magnitude(p_b) - Real(small)), Real(1),
+                                          Real(Scalar(1) / (small * small)));
+    p_a = p_a * scale;
+    p_b = p_b * scale;
+    const Real inverse = Real(1) / at_least(Real(p_a * p_a + p_b * p_b), smallest_divisor<Scalar>());
     aa = p_a * p_a * inverse;
     ab = p_a * p_b * inverse;
     bb = p_b * p_b * inverse;
@@ -159,8 +163,7 @@ class Polarized {
   /// The Jones matrix of a bounce, from the axes of the light that meets the panel to those of the light that
   /// leaves it.
   template <class Real>
-  requires FieldReflector<Facet, Real>
-  auto operator()(const PanelImages<Real>& bounce) const {
+  requires FieldReflector<Facet, Real> VCAVITY_INLINE auto operator()(const PanelImages<Real>& bounce) const {
     return jones(facet_.amplitudes(bounce.cos_theta_i()), IncidencePlane<Real>(bounce));
   }
 

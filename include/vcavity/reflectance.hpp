@@ -12,6 +12,17 @@
 
 namespace vcavity {
 
+namespace detail {
+
+/// Whether to add a value of no weight is faster than to find out that it has none.
+template <class Value>
+inline constexpr bool always_added = Number<Value>;
+
+template <class Real, std::size_t size, std::size_t bytes>
+inline constexpr bool always_added<Pack<Real, size, bytes>> = true;
+
+}  // namespace detail
+
 /// Directional reflectance R(θ, φ), Eq. 20 without its quadrature.
 ///
 /// @tparam Real number type, or a `Pack` of numbers for as many directions at once, all with e.y ≥ 0; then
@@ -34,7 +45,28 @@ auto directional_reflectance(const Cavity<Scalar>& cavity, const Direction& e, c
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        reflectance = reflectance + scaled(weight, power(throughput));
+        if (detail::always_added<Value> || any_positive(weight))
+          reflectance = reflectance + scaled(weight, power(throughput));
+      },
+      DarkLight::merged);
+  return reflectance;
+}
+
+/// Directional reflectance of unpolarised light in any model of polarisation: `unpolarized` of the
+/// directional reflectance, without computing what this leaves out of a Mueller matrix. The parameters are
+/// the same.
+template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
+requires FacetReflectance<Facet, typename Direction::value_type>
+auto unpolarized_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
+                             int most_bounces = all_bounces) {
+  using Real = typename Direction::value_type;
+  using Value = value_t<Facet, Real>;
+  unpolarized_t<Facet, Real> reflectance(0);
+  for_each_lobe(
+      cavity, e, facet, most_bounces,
+      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
+        if (detail::always_added<Value> || any_positive(weight))
+          reflectance = reflectance + scaled(weight, unpolarized(power(throughput)));
       },
       DarkLight::merged);
   return reflectance;

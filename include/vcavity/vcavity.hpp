@@ -19,7 +19,6 @@
 #include "lobes.hpp"
 #include "quadrature.hpp"
 #include "reflectance.hpp"
-#include "turning_vector.hpp"
 // What a renderer needs.
 #include "bsdf.hpp"
 #include "groove_frame.hpp"

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <future>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
@@ -120,7 +121,7 @@ ExrAttributes DiscMapper::attributes() const {
 }
 
 // For each direction, all with e.y ≥ 0, the values at all wavelengths.
-std::vector<double> DiscMapper::spectra(std::span<const Vec3<double>> directions) const {
+std::vector<double> DiscMapper::spectra(const Directions& directions) const {
   std::vector<double> values(directions.size() * indices_.size());
   run_kernel({cavity_.aperture(), request_.quantity, request_.polarization, request_.most_bounces, indices_,
               directions, values},
@@ -129,8 +130,7 @@ std::vector<double> DiscMapper::spectra(std::span<const Vec3<double>> directions
 }
 
 Xyz DiscMapper::colour(const Vec3<double>& e) const {
-  const Vec3<double> direction{e.x, std::abs(e.y), e.z};
-  return weights_->colour(spectra({&direction, 1}));
+  return weights_->colour(spectra({{e.x}, {std::abs(e.y)}, {e.z}}));
 }
 
 // A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
@@ -149,12 +149,15 @@ glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
 }
 
 // What the kernels do not compute.
-void DiscMapper::fill_from_lobes(const Vec3<double>& e, std::vector<float>& pixel) const {
-  pixel.clear();
-  const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
+// `put(channel, pixel, value)` takes the values.
+template <class Put>
+void DiscMapper::put_from_lobes(const Vec3<double>& e, std::size_t pixel, const Put& put) const {
   if (request_.environment) {
     const glm::dvec3 radiance = reflected_radiance(e);
-    for (const double value : {radiance.x, radiance.y, radiance.z, 1.0}) add(value);
+    put(0, pixel, radiance.x);
+    put(1, pixel, radiance.y);
+    put(2, pixel, radiance.z);
+    put(3, pixel, 1);
     return;
   }
   int least = std::numeric_limits<int>::max();
@@ -165,85 +168,85 @@ void DiscMapper::fill_from_lobes(const Vec3<double>& e, std::vector<float>& pixe
     most = std::max(most, lobe.bounces);
     mean += lobe.weight * lobe.bounces;
   }
-  for (const double value : {mean, static_cast<double>(least), static_cast<double>(most), 1.0}) add(value);
+  put(0, pixel, mean);
+  put(1, pixel, least);
+  put(2, pixel, most);
+  put(3, pixel, 1);
 }
 
-void DiscMapper::fill_pixel(std::span<const double> spectrum, std::vector<float>& pixel) const {
-  pixel.clear();
-  const auto add = [&pixel](double value) { pixel.push_back(static_cast<float>(value)); };
-  if (spectrum.size() == 1) {
-    add(spectrum.front());
-    add(1);
-    return;
-  }
+template <class Put>
+void DiscMapper::put_spectra(std::span<const double> spectra, std::size_t pixels, const Put& put) const {
+  const std::size_t wavelengths = indices_.size();
+  std::size_t channel = 0;
+  const auto put_wavelengths = [&] {
+    for (std::size_t i = 0; i < wavelengths; ++i, ++channel)
+      for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+        put(channel, pixel, spectra[pixel * wavelengths + i]);
+  };
+  if (wavelengths == 1) put_wavelengths();
   if (weights_) {
-    const LinearRgb colour = to_linear_rgb(weights_->colour(spectrum), request_.viewing.rgb);
-    for (const double value : {colour.r, colour.g, colour.b}) add(value);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+      const LinearRgb colour = to_linear_rgb(
+          weights_->colour(spectra.subspan(pixel * wavelengths, wavelengths)), request_.viewing.rgb);
+      put(0, pixel, colour.r);
+      put(1, pixel, colour.g);
+      put(2, pixel, colour.b);
+    }
+    channel = 3;
   }
-  add(1);
-  if (request_.spectrum == Spectrum::written)
-    for (const double value : spectrum) add(value);
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) put(channel, pixel, 1);
+  ++channel;
+  if (wavelengths > 1 && request_.spectrum == Spectrum::written) put_wavelengths();
 }
 
-std::vector<std::vector<float>> DiscMapper::rows(int first_row, int rows) const {
+Planes DiscMapper::rows(int first_row, int rows, Planes planes) const {
   const int size = request_.size;
   const auto at = [size](int row, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
   };
-  std::vector<std::vector<float>> planes(channels_.size(), std::vector<float>(at(rows, 0), 0.0f));
+  planes.resize(channels_.size());
+  for (std::vector<float>& plane : planes) plane.resize(at(rows, 0));
   // The groove is its own mirror image: the right half of a row tells the left half, unless the light
   // differs.
-  const int first_column = request_.environment ? 0 : size / 2;
+  const bool mirrored = !request_.environment;
+  const bool by_kernel = !request_.environment && request_.quantity != Quantity::bounces;
   tbb::parallel_for(0, rows, [&](int row) {
-    thread_local std::vector<float> pixel;
-    std::vector<Vec3<double>> directions;
+    Directions directions;
     std::vector<int> columns;
-    for (int column = first_column; column < size; ++column) {
+    for (int column = mirrored ? size / 2 : 0; column < size; ++column) {
       if (const auto e = pixel_direction(column, first_row + row, size)) {
         directions.push_back(*e);
         columns.push_back(column);
       }
     }
-    const bool by_kernel = !request_.environment && request_.quantity != Quantity::bounces;
-    const std::vector<double> values = by_kernel ? spectra(directions) : std::vector<double>{};
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (by_kernel)
-        fill_pixel({&values[i * indices_.size()], indices_.size()}, pixel);
-      else
-        fill_from_lobes(directions[i], pixel);
-      for (std::size_t channel = 0; channel < planes.size(); ++channel) {
-        planes[channel][at(row, columns[i])] = pixel[channel];
-        if (!request_.environment) planes[channel][at(row, size - 1 - columns[i])] = pixel[channel];
-      }
+    for (std::vector<float>& plane : planes) std::fill_n(&plane[at(row, 0)], size, 0.0f);
+    const auto put = [&](std::size_t channel, std::size_t pixel, double value) {
+      float* const values = &planes[channel][at(row, 0)];
+      values[columns[pixel]] = static_cast<float>(value);
+      if (mirrored) values[size - 1 - columns[pixel]] = static_cast<float>(value);
+    };
+    if (by_kernel) {
+      put_spectra(spectra(directions), directions.size(), put);
+    } else {
+      for (std::size_t pixel = 0; pixel < directions.size(); ++pixel)
+        put_from_lobes(directions[pixel], pixel, put);
     }
   });
   return planes;
 }
 
-namespace {
-
-// Calls `use` with the planes of one block of rows after the other.
-template <class Use>
-void for_each_block(const DiscMapper& mapper, int chunks, Progress& progress, Use&& use) {
-  const int size = mapper.request().size;
-  const int block_rows = chunks * chunk_rows;
-  for (int row = 0; row < size; row += block_rows) {
-    const int rows = std::min(block_rows, size - row);
-    use(rows, mapper.rows(row, rows));
-    progress.advance(static_cast<std::uint64_t>(rows));
-  }
-}
-
-}  // namespace
-
 ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
-  ExrImage image{mapper.request().size, mapper.request().size, {}, mapper.attributes()};
+  const int size = mapper.request().size;
+  ExrImage image{size, size, {}, mapper.attributes()};
   for (const std::string& channel : mapper.channels()) image.channels.push_back({channel, {}});
-  constexpr int chunks = 2;
-  for_each_block(mapper, chunks, progress, [&](int, const std::vector<std::vector<float>>& planes) {
+  Planes planes;
+  for (int row = 0; row < size; row += chunk_rows) {
+    const int rows = std::min(chunk_rows, size - row);
+    planes = mapper.rows(row, rows, std::move(planes));
     for (std::size_t i = 0; i < planes.size(); ++i)
       image.channels[i].plane.insert(image.channels[i].plane.end(), planes[i].begin(), planes[i].end());
-  });
+    progress.advance(static_cast<std::uint64_t>(rows));
+  }
   return image;
 }
 
@@ -262,10 +265,23 @@ ExrHeader map_header(const DiscMapper& mapper, const Storage& storage) {
 void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
                Progress& progress) {
   ExrWriter writer(file, map_header(mapper, storage));
-  for_each_block(mapper, chunks, progress, [&](int rows, const std::vector<std::vector<float>>& planes) {
-    const std::vector<std::span<const float>> spans(planes.begin(), planes.end());
-    writer.write_rows(rows, spans);
-  });
+  const int size = mapper.request().size;
+  const auto rows_of_block = [&](int row) { return std::min(chunks * chunk_rows, size - row); };
+  const auto compute = [&](int row, Planes memory) {
+    return std::async(std::launch::async,
+                      [&mapper, row, rows = rows_of_block(row), memory = std::move(memory)]() mutable {
+                        return mapper.rows(row, rows, std::move(memory));
+                      });
+  };
+  std::future<Planes> computed = compute(0, {});
+  Planes planes;
+  for (int row = 0; row < size; row += rows_of_block(row)) {
+    const int rows = rows_of_block(row);
+    Planes written = std::exchange(planes, computed.get());
+    if (row + rows < size) computed = compute(row + rows, std::move(written));
+    writer.write_rows(rows, std::vector<std::span<const float>>(planes.begin(), planes.end()));
+    progress.advance(static_cast<std::uint64_t>(rows));
+  }
   writer.finish();
 }
 

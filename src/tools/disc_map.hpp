@@ -58,6 +58,9 @@ struct MapRequest {
 /// The direction that a pixel shows; nothing outside the disc.
 std::optional<Vec3<double>> pixel_direction(int column, int row, int size);
 
+/// Some rows of a map: for each channel a plane of rows × size values.
+using Planes = std::vector<std::vector<float>>;
+
 /// Computes the rows of a map, so that a map of any size fits into memory.
 ///
 /// Channels: `Y` and `A` for the reflectance at one wavelength; `R`, `G`, `B` (linear RGB of the
@@ -90,13 +93,15 @@ class DiscMapper {
   const Xyz& white() const { return weights_->white(); }
 
   /// Computes `rows` rows from `first_row` on, on all cores.
-  /// \return one plane of rows × size values for each channel
-  std::vector<std::vector<float>> rows(int first_row, int rows) const;
+  /// \param planes memory to use again, such as the planes of an earlier call
+  Planes rows(int first_row, int rows, Planes planes = {}) const;
 
  private:
-  std::vector<double> spectra(std::span<const Vec3<double>> directions) const;
-  void fill_pixel(std::span<const double> spectrum, std::vector<float>& pixel) const;
-  void fill_from_lobes(const Vec3<double>& e, std::vector<float>& pixel) const;
+  std::vector<double> spectra(const Directions& directions) const;
+  template <class Put>
+  void put_spectra(std::span<const double> spectra, std::size_t pixels, const Put& put) const;
+  template <class Put>
+  void put_from_lobes(const Vec3<double>& e, std::size_t pixel, const Put& put) const;
 
   MapRequest request_;
   Cavity<double> cavity_;
@@ -114,9 +119,10 @@ ExrImage compute_map(const DiscMapper& mapper, Progress& progress);
 /// Everything about the file of a map but its pixels.
 ExrHeader map_header(const DiscMapper& mapper, const Storage& storage);
 
-/// Computes a map and writes it block by block, advancing `progress` by the number of its rows.
-/// \param chunks   how many times chunk_rows are computed and held at a time; see set_exr_threads() for how
-///                 many of them are compressed at a time
+/// Computes a map and writes it block by block, advancing `progress` by the number of its rows. While one
+/// block is compressed and written, the next is computed.
+/// \param chunks   how many times chunk_rows are in a block; see set_exr_threads() for how many of them are
+///                 compressed at a time
 void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
                Progress& progress);
 

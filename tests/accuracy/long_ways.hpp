@@ -52,8 +52,9 @@ void follow(const Vec3<Real>& e, LongWayErrors& errors) {
   const ReflectedRay<Digits50> exact(GrooveSection<Digits50>{Digits50(cavity.aperture())}, Digits50(e.y),
                                      Digits50(e.z), Panel::one, cavity.max_bounces());
   PanelImages<Real> images(cavity, e, Panel::one);
-  PlainTurn<Real> plain{images.tangent_component(), images.normal_component(), cavity.sin_aperture(),
-                        cavity.versine_aperture()};
+  const Real half_sine = cavity.sin_half();
+  PlainTurn<Real> plain{images.tangent_component(), images.normal_component(),
+                        Real(2) * half_sine * cavity.cos_half(), Real(2) * half_sine * half_sine};
   errors.cosine.resize(exact.cosines.size());
   errors.plain_turn.resize(exact.cosines.size());
   errors.throughput.resize(exact.cosines.size());

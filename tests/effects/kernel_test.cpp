@@ -12,8 +12,9 @@ using namespace vcavity::tools;
 
 namespace {
 
-std::vector<Vec3<double>> directions_to_the_right() {
-  std::vector<Vec3<double>> result{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {std::sqrt(0.5), 0, std::sqrt(0.5)}};
+Directions directions_to_the_right() {
+  const double half = std::sqrt(0.5);
+  Directions result{{0, 0, 1, half}, {0, 1, 0, 0}, {1, 0, 0, half}};
   for (int i = 0; i < 203; ++i) result.push_back(direction(0.0077 * i, -1.5 + 0.0149 * i));
   return result;
 }
@@ -29,7 +30,7 @@ const std::vector<double> apertures_deg{3, 45, 60, 107, 180};
 
 template <class Check>
 void for_each_job(const std::vector<RefractiveIndex>& indices, Check&& check) {
-  const std::vector<Vec3<double>> directions = directions_to_the_right();
+  const Directions directions = directions_to_the_right();
   std::vector<double> values(directions.size() * indices.size());
   for (const double aperture_deg : apertures_deg)
     for (const Polarization polarization : {Polarization::none, Polarization::separate, Polarization::full})

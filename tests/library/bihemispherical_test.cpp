@@ -223,6 +223,13 @@ TEST_CASE("a tolerance that is not positive is refused") {
                     std::invalid_argument);
 }
 
+TEST_CASE("a facet that is not a number ends the quadrature soon") {
+  const auto nothing = [](double) { return std::numeric_limits<double>::quiet_NaN(); };
+  const auto integral = bihemispherical_reflectance(Cavity<double>(1.0), nothing, 1e-8);
+  CHECK(std::isnan(integral.value));
+  CHECK(integral.evaluations < 10000);
+}
+
 TEST_CASE("the paper's midpoint rule converges to the exact integral") {
   const Cavity<double> cavity(radians(60.0));
   const Conductor<double> silver(0.1249, 3.3391);

@@ -41,7 +41,8 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw std::runtime_error("cannot write '" + folder.string() + "': " + error.message());
 }
 
-/// Bytes that a chunk of a map takes: its planes, and OpenEXR's two buffers and their compressed copies.
+/// Bytes that a chunk of a map takes: its planes, those of the chunk computed meanwhile, OpenEXR's two
+/// buffers, and their compressed copies of half the size.
 std::uint64_t chunk_memory(const MapRequest& request) {
   constexpr std::uint64_t copies = 5;
   constexpr std::uint64_t channels_beside_wavelengths = 4;
@@ -109,9 +110,10 @@ void write_maps(const std::vector<MapFile>& maps, const Storage& storage, Progre
     set_exr_threads(0);
     tbb::parallel_for_each(maps.begin(), maps.end(), [&](const MapFile& map) { write(map, 1); });
   } else {
+    // Several for each core: some chunks take longer than others.
     const int chunks =
-        static_cast<int>(std::clamp<std::uint64_t>(most_chunks, 1, static_cast<std::uint64_t>(cores)));
-    set_exr_threads(chunks);
+        static_cast<int>(std::clamp<std::uint64_t>(most_chunks, 1, 4 * static_cast<std::uint64_t>(cores)));
+    set_exr_threads(std::min(chunks, cores));
     for (const MapFile& map : maps) write(map, chunks);
   }
 }

@@ -140,7 +140,7 @@ std::vector<double> map_in_long_double(const std::vector<Vec3<double>>& directio
   const Cavity<long double> cavity(radians(static_cast<long double>(aperture_deg)));
   const auto facet = wrap(Conductor<long double>(index.n, index.k));
   return map_of(directions, [&](const Vec3<double>& e) {
-    return unpolarized(directional_reflectance(cavity, Vec3<long double>(e), facet));
+    return unpolarized_reflectance(cavity, Vec3<long double>(e), facet);
   });
 }
 
@@ -282,9 +282,8 @@ CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& ind
       with_polarization(model, facet, [&](const auto& in_model) {
         section.rows.push_back(
             measure("polarization", name_of(model), in_model, expected, [&](const auto& f) {
-              return map_of(directions, [&](const Vec3<double>& e) {
-                return unpolarized(directional_reflectance(cavity, e, f));
-              });
+              return map_of(directions,
+                            [&](const Vec3<double>& e) { return unpolarized_reflectance(cavity, e, f); });
             }));
       });
   });

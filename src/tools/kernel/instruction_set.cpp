@@ -3,6 +3,7 @@
 /// what it instantiates depends on `Pack`, whose type tells the instruction sets apart.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vcavity/vcavity.hpp>
@@ -35,31 +36,37 @@ void with_quantity(const KernelJob& job, const Cavity& cavity, const Facet& face
           return diattenuation(directional_reflectance(cavity, e, model, job.most_bounces));
         });
     } else {
-      use([&](const auto& e) VCAVITY_INLINED {
-        return unpolarized(directional_reflectance(cavity, e, model, job.most_bounces));
-      });
+      use([&](const auto& e)
+              VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.most_bounces); });
     }
   });
+}
+
+// Numbers from one on, the last of them repeated to fill a pack.
+template <class Real>
+[[gnu::always_inline]] inline Lanes<Real> loaded(const std::vector<double>& numbers, std::size_t start) {
+  std::array<Real, native_lanes<Real>> values;
+  if (start + values.size() <= numbers.size()) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Real>(numbers[start + i]);
+  } else {
+    values.fill(static_cast<Real>(numbers.back()));
+    std::transform(numbers.begin() + static_cast<std::ptrdiff_t>(start), numbers.end(), values.begin(),
+                   [](double x) { return static_cast<Real>(x); });
+  }
+  return Lanes<Real>::load(values.data());
 }
 
 // One wavelength: packs of directions.
 template <class Real>
 void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
   constexpr std::size_t lanes = native_lanes<Real>;
-  // Component by component, the last direction repeated to fill the last pack.
-  const std::size_t packs = (job.directions.size() + lanes - 1) / lanes;
-  std::vector<Real> x(packs * lanes), y(packs * lanes), z(packs * lanes);
-  for (std::size_t i = 0; i < packs * lanes; ++i) {
-    const Vec3<double>& e = job.directions[std::min(i, job.directions.size() - 1)];
-    x[i] = static_cast<Real>(e.x);
-    y[i] = static_cast<Real>(e.y);
-    z[i] = static_cast<Real>(e.z);
-  }
+  const std::size_t count = job.directions.size();
   const auto fill = [&](const auto& quantity) {
-    for (std::size_t start = 0; start < packs * lanes; start += lanes) {
-      const Lanes<Real> values = quantity(Vec3<Lanes<Real>>{
-          Lanes<Real>::load(&x[start]), Lanes<Real>::load(&y[start]), Lanes<Real>::load(&z[start])});
-      std::copy_n(values.begin(), std::min(lanes, job.directions.size() - start),
+    for (std::size_t start = 0; start < count; start += lanes) {
+      const Lanes<Real> values = quantity(Vec3<Lanes<Real>>{loaded<Real>(job.directions.x, start),
+                                                            loaded<Real>(job.directions.y, start),
+                                                            loaded<Real>(job.directions.z, start)});
+      std::copy_n(values.begin(), std::min(lanes, count - start),
                   job.values.begin() + static_cast<std::ptrdiff_t>(start));
     }
   };
@@ -93,8 +100,9 @@ void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
   if (job.quantity == Quantity::reflectance && job.polarization == Polarization::none) {
     const auto reflectance = [](const Itinerary<Real>& itinerary, const auto& facet)
                                  VCAVITY_INLINED { return itinerary.reflectance(facet); };
+    Itinerary<Real> itinerary;
     for (std::size_t i = 0; i < job.directions.size(); ++i) {
-      const Itinerary<Real> itinerary(cavity, Vec3<Real>(job.directions[i]), job.most_bounces);
+      itinerary.follow(cavity, Vec3<Real>(job.directions[i]), job.most_bounces);
       for (std::size_t pack = 0; pack < facets.size(); ++pack)
         store(i, pack, reflectance(itinerary, facets[pack]));
     }

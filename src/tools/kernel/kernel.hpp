@@ -7,9 +7,11 @@
 /// The kernel is compiled once for each instruction set, and the one to use is chosen at run time. All of
 /// them give the same numbers, bit for bit.
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vcavity/cavity.hpp>
+#include <vector>
 
 #include "tools/facet.hpp"
 
@@ -21,6 +23,19 @@ enum class Quantity { reflectance, bounces, degree_of_polarization, absorptance 
 /// The numbers it is computed with.
 enum class Precision { double_precision, single_precision };
 
+/// Directions, kept component by component, as vector registers want them.
+struct Directions {
+  std::vector<double> x, y, z;
+
+  std::size_t size() const { return x.size(); }
+  Vec3<double> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void push_back(const Vec3<double>& e) {
+    x.push_back(e.x);
+    y.push_back(e.y);
+    z.push_back(e.z);
+  }
+};
+
 /// A job for a kernel.
 struct KernelJob {
   double aperture;    ///< radians
@@ -28,7 +43,7 @@ struct KernelJob {
   Polarization polarization;
   int most_bounces;
   std::span<const RefractiveIndex> indices;  ///< one for each wavelength
-  std::span<const Vec3<double>> directions;  ///< all with e.y ≥ 0; the groove is its own mirror image
+  const Directions& directions;              ///< all with e.y ≥ 0; the groove is its own mirror image
   std::span<double> values;  ///< result: those of the first direction, then of the second, …
 };
 

@@ -14,6 +14,10 @@
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -148,8 +152,23 @@ struct ExrWriter::Output {
   }
 };
 
+namespace {
+
+// OpenEXR allocates and frees the buffers of every chunk anew; glibc would return their memory to the kernel
+// each time, and fetch it page by page.
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+  constexpr int threshold = 32 << 20;  // the largest for M_MMAP_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, threshold);
+  mallopt(M_TRIM_THRESHOLD, 4 * threshold);
+#endif
+}
+
+}  // namespace
+
 ExrWriter::ExrWriter(AtomicFile& file, const ExrHeader& header)
     : output_(new Output{file, header, Stream(file), std::nullopt}) {
+  keep_freed_memory();
   const Imf::Header imf = imf_header(header);
   output_->guard([&] { output_->image.emplace(output_->stream, imf, Imf::globalThreadCount()); });
 }
