@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "facet_wrapper.hpp"
 #include "pack.hpp"
 #include "value.hpp"
 
@@ -56,32 +57,17 @@ concept AbsorbingFacet = FacetReflectance<Facet, Real> &&
 
 /// Facet reflectance that returns the energy balance of each bounce.
 template <class Facet>
-class EnergyBalanced {
+class EnergyBalanced : public FacetWrapper<EnergyBalanced, Facet> {
  public:
-  explicit EnergyBalanced(Facet facet) : facet_(std::move(facet)) {}
+  using FacetWrapper<EnergyBalanced, Facet>::FacetWrapper;
+  using FacetWrapper<EnergyBalanced, Facet>::facet;
 
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <class Real>
   requires AbsorbingFacet<Facet, Real> EnergyBalance<value_t<Facet, Real>>
-  operator()(const Real& cos_theta_i) const { return {facet_(cos_theta_i), facet_.absorptance(cos_theta_i)}; }
-
-  /// That of the facet.
-  auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
-  { return facet_.critical_cosine(); }
-
-  /// Those of the facet.
-  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
-  { return facet_.singular_cosines(); }
-
-  /// The same for several directions at once.
-  template <std::size_t directions>
-  auto over_directions() const requires OverDirections<Facet> {
-    return EnergyBalanced<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
-        facet_.template over_directions<directions>());
+  operator()(const Real& cos_theta_i) const {
+    return {facet()(cos_theta_i), facet().absorptance(cos_theta_i)};
   }
-
- private:
-  Facet facet_;
 };
 
 }  // namespace vcavity

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "bounces.hpp"
+#include "facet_wrapper.hpp"
 #include "fresnel.hpp"
 #include "inline.hpp"
 #include "mueller.hpp"
@@ -88,15 +89,16 @@ Value diattenuation(const SeparatePolarizations<Value>& r) {
 
 /// Facet reflectance for s and p light on their own.
 template <class Facet>
-class SeparatelyPolarized {
+class SeparatelyPolarized : public FacetWrapper<SeparatelyPolarized, Facet> {
  public:
-  explicit SeparatelyPolarized(Facet facet) : facet_(std::move(facet)) {}
+  using FacetWrapper<SeparatelyPolarized, Facet>::FacetWrapper;
+  using FacetWrapper<SeparatelyPolarized, Facet>::facet;
 
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <class Real>
   requires FieldReflector<Facet, Real>
   auto operator()(const Real& cos_theta_i) const {
-    const auto amplitudes = facet_.amplitudes(cos_theta_i);
+    const auto amplitudes = facet().amplitudes(cos_theta_i);
     return SeparatePolarizations(norm(amplitudes.r_s), norm(amplitudes.r_p));
   }
 
@@ -107,27 +109,9 @@ class SeparatelyPolarized {
     facet.absorptances(cos_theta_i);
   }
   {
-    const auto [s, p] = facet_.absorptances(cos_theta_i);
+    const auto [s, p] = facet().absorptances(cos_theta_i);
     return SeparatePolarizations(s, p);
   }
-
-  /// That of the facet.
-  auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
-  { return facet_.critical_cosine(); }
-
-  /// Those of the facet.
-  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
-  { return facet_.singular_cosines(); }
-
-  /// The same for several directions at once.
-  template <std::size_t directions>
-  auto over_directions() const requires OverDirections<Facet> {
-    return SeparatelyPolarized<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
-        facet_.template over_directions<directions>());
-  }
-
- private:
-  Facet facet_;
 };
 
 /// The plane of incidence of a bounce as the matrix p̂ p̂ᵀ, in the axes of the incident light.
@@ -156,33 +140,16 @@ struct IncidencePlane {
 
 /// Facet reflectance for fields, with the plane of incidence of each bounce.
 template <class Facet>
-class Polarized {
+class Polarized : public FacetWrapper<Polarized, Facet> {
  public:
-  explicit Polarized(Facet facet) : facet_(std::move(facet)) {}
+  using FacetWrapper<Polarized, Facet>::FacetWrapper;
+  using FacetWrapper<Polarized, Facet>::facet;
 
   /// The Jones matrix of a bounce, from the axes of the light that meets the panel to those of the light that
   /// leaves it.
   template <class Real>
   requires FieldReflector<Facet, Real> VCAVITY_INLINE auto operator()(const PanelImages<Real>& bounce) const {
-    return jones(facet_.amplitudes(bounce.cos_theta_i()), IncidencePlane<Real>(bounce));
-  }
-
-  /// The facet that this one is made of.
-  const Facet& facet() const { return facet_; }
-
-  /// That of the facet.
-  auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
-  { return facet_.critical_cosine(); }
-
-  /// Those of the facet.
-  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
-  { return facet_.singular_cosines(); }
-
-  /// The same for several directions at once.
-  template <std::size_t directions>
-  auto over_directions() const requires OverDirections<Facet> {
-    return Polarized<decltype(std::declval<const Facet&>().template over_directions<directions>())>(
-        facet_.template over_directions<directions>());
+    return jones(facet().amplitudes(bounce.cos_theta_i()), IncidencePlane<Real>(bounce));
   }
 
  private:
@@ -200,8 +167,6 @@ class Polarized {
     const Complex<Value> mixed = part(plane.ab);
     return {facet.r_s + part(plane.aa), mixed, none - mixed, none - (facet.r_s + part(plane.bb))};
   }
-
-  Facet facet_;
 };
 
 /// The facet with its s and p light followed on their own.
