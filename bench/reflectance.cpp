@@ -30,15 +30,15 @@ class PlainReflectance {
   Real operator()(const Vec3<Real>& e) const {
     const Real across = std::abs(e.y);
     const Real inverse_width = groove_.inverse_sin_half() / (2 * e.z);
-    const Real other = std::max((turns_[1].sine * e.z - turns_[1].cosine * across) * inverse_width, Real(0));
+    const Real other = std::max((turn(1).sine * e.z - turn(1).cosine * across) * inverse_width, Real(0));
     Real sum = 0;
     if (other > 0) {  // light reaches both panels directly
       sum = panel(e.z, across, 1 - other, [&](int, Real cosine) { return cosine * inverse_width; }) +
             panel(e.z, -across, other, [&](int, Real cosine) { return cosine * inverse_width; });
     } else {
       sum = panel(e.z, across, 1, [&](int j, Real) {
-        return turns_[j].sine * groove_.inverse_sin_half() *
-               (turns_[j - 1].cosine - across / e.z * turns_[j - 1].sine);
+        return turn(j).sine * groove_.inverse_sin_half() *
+               (turn(j - 1).cosine - across / e.z * turn(j - 1).sine);
       });
     }
     return sum;
@@ -49,16 +49,18 @@ class PlainReflectance {
   template <class Reached>
   Real panel(Real up, Real across, Real first, const Reached& reached) const {
     Real sum = 0, throughput = 1, fraction = first;
-    Real cosine = turns_[1].sine * up + turns_[1].cosine * across;
+    Real cosine = turn(1).sine * up + turn(1).cosine * across;
     for (int j = 1; fraction > 0; ++j) {
       throughput *= facet_(cosine);
-      cosine = turns_[2 * j + 1].sine * up + turns_[2 * j + 1].cosine * across;
+      cosine = turn(2 * j + 1).sine * up + turn(2 * j + 1).cosine * across;
       const Real next = j < groove_.max_bounces() ? std::clamp(reached(j + 1, cosine), Real(0), fraction) : 0;
       sum += (fraction - next) * throughput;
       fraction = next;
     }
     return sum;
   }
+
+  const typename Cavity<Real>::Rotation& turn(int k) const { return turns_[static_cast<std::size_t>(k)]; }
 
   Cavity<Real> groove_;
   Conductor<Real> facet_;

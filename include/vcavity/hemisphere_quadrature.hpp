@@ -194,9 +194,10 @@ class HemisphereQuadrature {
     // Towards grazing along the groove, bounces off panels that face the light share the pole of r_p² nearest
     // to them.
     const int multiplicity = 2 * bounces.most_upright;
-    std::size_t along_order = order_for(half_tolerance * std::exp2(-std::min(multiplicity, 6)),
-                                        degrees_along * along.rate, most_along);
-    std::size_t across_order = order_for(half_tolerance, degrees_across * across.rate, most_across);
+    const Orders along_orders{4, most_along, degrees_along * along.rate};
+    const Orders across_orders{1, most_across, degrees_across * across.rate};
+    std::size_t along_order = along_orders.first(half_tolerance * std::exp2(-std::min(multiplicity, 6)));
+    std::size_t across_order = across_orders.first(half_tolerance);
     int parts = 1;
     for (;;) {
       const Estimate estimate =
@@ -230,30 +231,32 @@ class HemisphereQuadrature {
         add(total, {middle, cell.theta_high, cell.psi_low, cell.psi_high}, half, halvings + 1);
         return;
       }
-      if (!along_converged)
-        along_order =
-            raised(along_order, enough / estimate.along_error, degrees_along * along.rate, most_along);
-      if (!across_converged)
-        across_order =
-            raised(across_order, enough / estimate.across_error, degrees_across * across.rate, most_across);
+      if (!along_converged) along_order = along_orders.next(along_order, enough / estimate.along_error);
+      if (!across_converged) across_order = across_orders.next(across_order, enough / estimate.across_error);
     }
   }
 
-  /// The number of nodes that bring an error down by a factor; a multiple of 4, which fills packs and keeps
-  /// the number of rules small.
-  /// @param rate per node; a guess stands in for 0
-  static std::size_t order_for(double factor, double rate, std::size_t most) {
-    constexpr double guess = 1.5;
-    const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
-    const std::size_t packs = static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / 4));
-    return std::clamp(4 * packs, std::min(least_order, most), most);
-  }
+  /// The orders of the rules for one of the angles.
+  struct Orders {
+    std::size_t
+        step;  ///< along ψ 4: nodes come in packs; across 1, for every node stands for many directions
+    std::size_t most;
+    double rate;  ///< per node; a guess stands in for 0
 
-  /// The next order to try; a little higher where the rate is not known.
-  static std::size_t raised(std::size_t order, double factor, double rate, std::size_t most) {
-    const std::size_t wanted = rate > 0 ? order_for(factor, rate, most) : (order + 15) / 16 * 4;
-    return std::min(order + wanted, most);
-  }
+    /// The number of nodes that bring an error down by a factor.
+    std::size_t nodes(double factor) const {
+      constexpr double guess = 1.5;
+      const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
+      return step * static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / static_cast<double>(step)));
+    }
+
+    std::size_t first(double error) const { return std::clamp(nodes(error), least_order, most); }
+
+    /// The next order to try; a little higher where the rate is not known.
+    std::size_t next(std::size_t order, double factor) const {
+      return std::min(order + (rate > 0 ? nodes(factor) : (order + 15) / 16 * 4), most);
+    }
+  };
 
   /// Whether ψ is cut at critical angles.
   bool is_cut() const { return critical_ > Real(0); }

@@ -84,8 +84,9 @@ struct LitOpening {
   VCAVITY_INLINE LitOpening(const Cavity<Scalar>& cavity, const Vec3<Real>& e)
       : inverse_e_z(Real(1) / e.z), inverse_width((Scalar(0.5) * cavity.inverse_sin_half()) * inverse_e_z) {
     const Real other_normal = cavity.sin_half() * e.z - cavity.cos_half() * magnitude(e.y);
-    other_share = at_least(Real(other_normal * inverse_width), Scalar(0));
-    both = other_share - Real(negligible_fraction<Scalar>());
+    const Real share = other_normal * inverse_width;
+    both = share - Real(negligible_fraction<Scalar>());
+    other_share = select_positive(both, share, Real(0));
     any_both = any_positive(both);
     all_both = all_positive(both);
   }
