@@ -57,7 +57,6 @@ class Lobes {
     assert(size_ < 4);
     lobes_[size_++] = lobe;
   }
-  Lobe<Real, Value>& back() { return lobes_[size_ - 1]; }
   std::size_t size() const { return size_; }
   const Lobe<Real, Value>& operator[](std::size_t i) const { return lobes_[i]; }
   const Lobe<Real, Value>* begin() const { return lobes_.data(); }
@@ -215,8 +214,10 @@ bool is_dark(const Value& throughput, int bounce) {
 }
 
 /// Calls `visit` with every bounce after which light of a direction may leave, and the weight and throughput
-/// of the light that does; the loop behind `lobes` and `directional_reflectance`. Weights may be 0, and at a
-/// change of the bounce count they may be the rounding error of the direction.
+/// of the light that does; the loop behind `lobes` and `directional_reflectance`. Weights may be 0.
+///
+/// A weight below `negligible_fraction` is the rounding error of a direction at a change of the bounce count.
+/// It is counted with its neighbour, which may be much darker; so no such lobe appears.
 ///
 /// @param towards_light direction towards the light, or towards the viewer under diffuse light; z ≥ 0
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
@@ -235,6 +236,7 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
                      at_least(towards_light.z, LitOpening<Real>::least_up(cavity))};
   const LitOpening<Real> opening(cavity, e);
   const Panel facing = facing_panel(e);
+  const scalar_t<Real> negligible = negligible_fraction<scalar_t<Real>>();
   const bool is_narrow = cavity.max_bounces() > Cavity<scalar_t<Real>>::tabulated_multiples;
   for (int panel = 0; panel < (opening.any_both ? 2 : 1); ++panel) {
     const Panel first = panel == 0 ? facing : opposite(facing);
@@ -258,7 +260,9 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
       const PanelImages<Real> last = images;
       images.advance();
       if (last.bounce() < most && is_narrow && fractions.all_reach(images)) continue;
-      const Real next = last.bounce() < cavity.max_bounces() ? fractions.at(images, reached) : Real(0);
+      Real next = last.bounce() < cavity.max_bounces() ? fractions.at(images, reached) : Real(0);
+      next = select_nonnegative(Real(next - Real(negligible)), next, Real(0));
+      next = select_nonnegative(Real(reached - next - Real(negligible)), next, reached);
       visit(last, Real(reached - next), throughput);
       if (last.bounce() >= most || !any_positive(next)) break;
       reached = next;
@@ -266,8 +270,7 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
   }
 }
 
-/// The lobes of a direction, at most four. One of less than `negligible_fraction` is counted with its
-/// neighbour.
+/// The lobes of a direction, at most four.
 ///
 /// @param e direction towards the light, e.z ≥ 0. By reciprocity also the direction towards a viewer of the
 /// groove in
@@ -279,19 +282,12 @@ Lobes<Real, value_t<Facet, Real>> lobes(const Cavity<Real>& cavity, const Vec3<R
                                         int most_bounces = all_bounces) {
   using Value = value_t<Facet, Real>;
   Lobes<Real, Value> result;
-  Real waiting(0);  // for a lobe to be counted with
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>& last, const Real& weight, const Value& throughput) {
+        if (!(weight > Real(0))) return;
         const Panel first = last.bounce() % 2 == 1 ? last.panel() : opposite(last.panel());
-        waiting = waiting + weight;
-        if (waiting > negligible_fraction<Real>()) {
-          result.push_back({first, last.bounce(), waiting, throughput, last.exit_direction(cavity, e)});
-          waiting = Real(0);
-        } else if (result.size() > 0 && result.back().first_panel == first) {
-          result.back().weight = result.back().weight + waiting;
-          waiting = Real(0);
-        }
+        result.push_back({first, last.bounce(), weight, throughput, last.exit_direction(cavity, e)});
       });
   return result;
 }
