@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what is missing, builds the benchmarks, runs them in about four minutes and prints tables.
+# Installs what is missing, builds the benchmarks, runs them in about two minutes once built and prints tables.
 # Options: --csv FILE for every median; --plot FILE.svg for a picture; --into docs/performance.md to replace the
 # tables there.
 # CXX=clang++ chooses another compiler.
