@@ -126,7 +126,7 @@ class ReachedFractions {
   const Real& first() const { return first_; }
 
   /// Whether all of these rays bounce at an image too, at the cost of a comparison: c_j > c_1, by more than
-  /// rounding.
+  /// rounding, which is up to 8 ε in each (docs/accuracy.md).
   bool all_reach(const PanelImages<Real>& image) const {
     return all_positive(Real(image.normal_component() - surely_reached_));
   }

@@ -8,6 +8,7 @@
 /// one function serves both.
 
 #include "energy_balance.hpp"
+#include "inline.hpp"
 #include "lobes.hpp"
 
 namespace vcavity {
@@ -20,6 +21,21 @@ inline constexpr bool always_added = Number<Value>;
 
 template <class Real, std::size_t size, std::size_t bytes>
 inline constexpr bool always_added<Pack<Real, size, bytes>> = true;
+
+/// The sum of weight times `measure(throughput)` over the lobes of a direction.
+template <class Sum, class Real, class Facet, class Measure>
+VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
+                                  const Facet& facet, int most_bounces, const Measure& measure) {
+  using Value = value_t<Facet, Real>;
+  Sum sum(0);
+  for_each_lobe(
+      cavity, e, facet, most_bounces,
+      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
+        if (always_added<Value> || any_positive(weight)) sum = sum + scaled(weight, measure(throughput));
+      },
+      DarkLight::merged);
+  return sum;
+}
 
 }  // namespace detail
 
@@ -40,16 +56,9 @@ requires FacetReflectance<Facet, typename Direction::value_type>
 auto directional_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
                              int most_bounces = all_bounces) {
   using Real = typename Direction::value_type;
-  using Value = value_t<Facet, Real>;
-  power_t<Facet, Real> reflectance(0);
-  for_each_lobe(
+  return detail::sum_over_lobes<power_t<Facet, Real>>(
       cavity, e, facet, most_bounces,
-      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        if (detail::always_added<Value> || any_positive(weight))
-          reflectance = reflectance + scaled(weight, power(throughput));
-      },
-      DarkLight::merged);
-  return reflectance;
+      [](const value_t<Facet, Real>& throughput) { return power(throughput); });
 }
 
 /// Directional reflectance of unpolarised light in any model of polarisation: `unpolarized` of the
@@ -60,16 +69,9 @@ requires FacetReflectance<Facet, typename Direction::value_type>
 auto unpolarized_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
                              int most_bounces = all_bounces) {
   using Real = typename Direction::value_type;
-  using Value = value_t<Facet, Real>;
-  unpolarized_t<Facet, Real> reflectance(0);
-  for_each_lobe(
+  return detail::sum_over_lobes<unpolarized_t<Facet, Real>>(
       cavity, e, facet, most_bounces,
-      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        if (detail::always_added<Value> || any_positive(weight))
-          reflectance = reflectance + scaled(weight, unpolarized(power(throughput)));
-      },
-      DarkLight::merged);
-  return reflectance;
+      [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); });
 }
 
 /// Directional absorptance 1 − R(θ, φ), and by Kirchhoff's law the directional emissivity; a sum of positive

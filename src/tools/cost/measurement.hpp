@@ -26,33 +26,28 @@ struct Measurement {
 
 /// A facet that counts its evaluations, and is in all else the same.
 template <class Facet>
-class CountedFacet {
+class CountedFacet : public FacetWrapper<CountedFacet, Facet> {
+  using Base = FacetWrapper<CountedFacet, Facet>;
+
  public:
   /// \param directions   of a call
   CountedFacet(const Facet& facet, long long& evaluations, std::size_t directions = 1)
-      : facet_(facet), evaluations_(evaluations), directions_(directions) {}
+      : Base(facet), evaluations_(evaluations), directions_(directions) {}
 
   template <class Bounce>
   requires std::invocable<const Facet&, const Bounce&>
   auto operator()(const Bounce& bounce) const {
     evaluations_ += static_cast<long long>(directions_);
-    return facet_(bounce);
+    return Base::facet()(bounce);
   }
-
-  auto critical_cosine() const requires requires(const Facet& facet) { facet.critical_cosine(); }
-  { return facet_.critical_cosine(); }
-
-  auto singular_cosines() const requires requires(const Facet& facet) { facet.singular_cosines(); }
-  { return facet_.singular_cosines(); }
 
   template <std::size_t directions>
   auto over_directions() const requires OverDirections<Facet> {
     using Wide = decltype(std::declval<const Facet&>().template over_directions<directions>());
-    return CountedFacet<Wide>(facet_.template over_directions<directions>(), evaluations_, directions);
+    return CountedFacet<Wide>(Base::facet().template over_directions<directions>(), evaluations_, directions);
   }
 
  private:
-  Facet facet_;
   long long& evaluations_;
   std::size_t directions_;
 };
