@@ -5,13 +5,16 @@
 ///
 /// Method. With e = (sin ψ, cos ψ sin θ', cos ψ cos θ') the reflectance is
 ///
-///     R = (4/π) ∫∫ R(e) cos²ψ cos θ' dψ dθ'   over [0, π/2]²,
+///     R = (4/π) ∫∫ R_1(e) cos²ψ cos θ' dψ dθ'   over θ' in [−α/2, π/2], ψ in [0, π/2],
 ///
-/// the integrand being even in both angles. It is smooth except at angles θ' that are known beforehand, where
-/// a lobe appears or its weight changes slope, and where a cosine of incidence passes the critical angle of
-/// the facet, if it has one. The square is cut there, and Gauss–Legendre quadrature on the pieces converges
-/// exponentially. Its order is the one that the singularities of the facet ask for; it rises until the
-/// Legendre series of the integrand has fallen off, and a cell on which it never does is halved.
+/// where R_1 is the part of the reflectance that belongs to light which meets panel one first. By symmetry
+/// the light that meets panel two first adds as much, and light from the other side, ψ < 0, too.
+///
+/// The integrand is smooth except at angles θ' that are known beforehand, where a lobe appears or its weight
+/// changes slope, and where a cosine of incidence passes the critical angle of the facet, if it has one. The
+/// rectangle is cut there, and Gauss–Legendre quadrature on the pieces converges exponentially. Its order is
+/// the one that the singularities of the facet ask for; it rises until the Legendre series of the integrand
+/// has fallen off, and a cell on which it never does is halved.
 ///
 /// When not to use it: for a facet reflectance with steps or kinks of its own it still converges, but slowly.
 /// And where n < 0.4 with hardly any absorption, the reflectance changes within so small an angle beside the
@@ -45,8 +48,8 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
   }
   const Scalar norm = Scalar(4) / pi<Scalar>();
   detail::HemisphereQuadrature<Real, Facet> quadrature(cavity, facet, most_bounces);
-  const auto quarter = quadrature(tolerance / norm);
-  return {norm * quarter.value, norm * quarter.error, quarter.evaluations};
+  const auto part = quadrature(tolerance / norm);
+  return {norm * part.value, norm * part.error, part.evaluations};
 }
 
 }  // namespace vcavity

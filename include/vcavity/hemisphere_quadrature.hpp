@@ -56,18 +56,16 @@ struct AngleRecorder {
     const double angle = std::atan2(static_cast<double>(bounce.normal_component()),
                                     static_cast<double>(bounce.tangent_component()));
     angles.push_back(angle);
-    if (bounce.bounce() == 1) upright = 0;
     constexpr double nearly_one = 0.9;
-    if (std::sin(angle) > nearly_one) most_upright = std::max(most_upright, ++upright);
+    if (std::sin(angle) > nearly_one) ++upright;
     return Real(1);
   }
 
   mutable std::vector<double> angles;
-  mutable int upright = 0;  ///< bounces off panels that face the direction, in the series of one first panel
-  mutable int most_upright = 1;  ///< the largest number of them
+  mutable int upright = 0;  ///< the number of bounces off panels that face the direction
 };
 
-/// A rectangle of the square of directions.
+/// A rectangle of directions.
 template <class Real>
 struct Cell {
   Real theta_low, theta_high;  ///< bounds of θ'
@@ -75,6 +73,9 @@ struct Cell {
 };
 
 /// The integrand of the bi-hemispherical reflectance and its quadrature over cells.
+///
+/// By symmetry the light that meets either panel first reflects as much, and light from e_x as much as from
+/// −e_x. So it is enough to follow what meets panel one first; its weights have half as many kinks.
 ///
 /// In both angles the variable of integration draws nodes to the ends of the range as far as the facet asks
 /// for it: towards grazing incidence, near which the reflectance of a metal changes most, and towards
@@ -99,13 +100,18 @@ class HemisphereQuadrature {
                                               : singular_cosines_of(facet)),
         whole_along_(convergence_to(pi<Real>() / Real(2))) {}
 
-  /// The integral of R(e) cos²ψ cos θ' over the quarter of the hemisphere, [0, π/2]².
+  /// The integral of R_1(e) cos²ψ cos θ' over [−α/2, π/2] × [0, π/2], with R_1 the part of the reflectance
+  /// that belongs to light which meets panel one first.
   Integral<Value> operator()(const Scalar& tolerance) {
-    const std::vector<Real> kinks = kinks_across(cavity_, critical_);
-    const Scalar share = tolerance / Scalar(static_cast<int>(kinks.size() - 1));
+    const std::vector<Real> kinks = kinks_of_panel(cavity_, critical_);
+    const std::size_t cells = kinks.size() - 1;
+    const Scalar least = tolerance / Scalar(static_cast<int>(2 * cells));
     Integral<Value> total{Value(0), Scalar(0), 0};
-    for (std::size_t i = 0; i + 1 < kinks.size(); ++i)
-      add(total, {kinks[i], kinks[i + 1], Real(0), pi<Real>() / Real(2)}, share, 0);
+    for (std::size_t i = 0; i < cells; ++i) {
+      // What the cells before have not used up is left for the others.
+      const Scalar left = (tolerance - total.error) / Scalar(static_cast<int>(cells - i));
+      add(total, {kinks[i], kinks[i + 1], Real(0), pi<Real>() / Real(2)}, left > least ? left : least, 0);
+    }
     total.evaluations = evaluations_;
     return total;
   }
@@ -124,7 +130,7 @@ class HemisphereQuadrature {
   using Reals = std::conditional_t<in_packs(), Pack<Real, 4>, Real>;
   using Values = std::conditional_t<in_packs(), Pack<Real, 4>, Value>;
 
-  static constexpr std::size_t least_order = 4, most_along = 64, most_across = 40;
+  static constexpr std::size_t least_along = 4, most_along = 64, most_across = 40;
   static constexpr int most_halvings = 40;  // of one cell
   static constexpr int most_parts = 8;      // of a range of ψ between two critical angles
   static constexpr long long most_evaluations = 50'000'000;
@@ -158,16 +164,21 @@ class HemisphereQuadrature {
     /// exp(−rate k)
     /// @param noise rounding error of the coefficients
     double error(const Rule& rule, double known_rate, int multiplicity, double noise) const {
-      constexpr double safety = 4;
-      const double middle = std::max(sizes[0], sizes[1]);
-      const double last = std::max(sizes[2], sizes[3]);
-      if (last <= noise * rule.last_degree) return 0;
+      constexpr double safety = 10;
+      // Either of two neighbours may be small by chance, but hardly both.
+      const std::size_t middle = sizes[0] > sizes[1] ? 0 : 1;
+      const std::size_t last = sizes[2] > sizes[3] ? 2 : 3;
+      if (sizes[last] <= noise * rule.degrees[last]) return 0;
       const double observed =
-          std::max(std::log(middle / last) / (rule.last_degree - rule.middle_degree), 0.0);
+          std::max(std::log(sizes[middle] / sizes[last]) / (rule.degrees[last] - rule.degrees[middle]), 0.0);
       const double rate = known_rate > 0 ? std::min(known_rate, observed) : 0.4 * observed;
       const double missed_degree = rule.exact_degree + 1;
-      return safety * last * std::pow(missed_degree / rule.last_degree, multiplicity - 1) *
-             std::exp(-rate * (missed_degree - rule.last_degree));
+      const auto missed = [&](std::size_t known) {
+        const double further = missed_degree - rule.degrees[known];
+        return sizes[known] * std::pow(missed_degree / rule.degrees[known], multiplicity - 1) *
+               std::exp(-rate * further);
+      };
+      return safety * std::max(missed(3), missed(2));  // of what is no number the first stays
     }
   };
 
@@ -193,22 +204,27 @@ class HemisphereQuadrature {
     const double half_tolerance = 0.5 * static_cast<double>(tolerance);
     // Towards grazing along the groove, bounces off panels that face the light share the pole of r_p² nearest
     // to them.
-    const int multiplicity = 2 * bounces.most_upright;
-    const Orders along_orders{4, most_along, degrees_along * along.rate};
-    const Orders across_orders{1, most_across, degrees_across * across.rate};
+    const int multiplicity = 2 * std::max(bounces.upright, 1);
+    // What sufficed for the cell before is a good guess for its neighbour.
+    const Orders along_orders{4, halvings > 0 ? least_along : std::max(least_along, usual_along_), most_along,
+                              degrees_along * along.rate};
+    const Orders across_orders{1, least_across(cell), most_across, degrees_across * across.rate};
     std::size_t along_order = along_orders.first(half_tolerance * std::exp2(-std::min(multiplicity, 6)));
     std::size_t across_order = across_orders.first(half_tolerance);
     int parts = 1;
     for (;;) {
       const Estimate estimate =
           integrate(cell, along_order, along, multiplicity, parts, across_order, across);
+      // What along does not use up is left for across.
       const double enough = std::max(half_tolerance, static_cast<double>(rounding(estimate.value)));
+      const double enough_across = 2 * enough - std::min(estimate.along_error, enough);
       const bool as_far_as_possible = is_cut() && along_order >= most_along && parts >= most_parts;
       const bool along_converged = as_far_as_possible || estimate.along_error <= enough;
-      const bool across_converged = estimate.across_error <= enough;
+      const bool across_converged = estimate.across_error <= enough_across;
       const bool is_number = std::isfinite(estimate.along_error + estimate.across_error);
       if ((along_converged && across_converged) || !is_number || halvings >= most_halvings ||
           evaluations_ >= most_evaluations) {
+        if (halvings == 0) usual_along_ = along_order;
         total.value = total.value + estimate.value;
         total.error = total.error + static_cast<Scalar>(estimate.along_error + estimate.across_error) +
                       rounding(estimate.value);
@@ -232,7 +248,8 @@ class HemisphereQuadrature {
         return;
       }
       if (!along_converged) along_order = along_orders.next(along_order, enough / estimate.along_error);
-      if (!across_converged) across_order = across_orders.next(across_order, enough / estimate.across_error);
+      if (!across_converged)
+        across_order = across_orders.next(across_order, enough_across / estimate.across_error);
     }
   }
 
@@ -240,7 +257,7 @@ class HemisphereQuadrature {
   struct Orders {
     std::size_t
         step;  ///< along ψ 4: nodes come in packs; across 1, for every node stands for many directions
-    std::size_t most;
+    std::size_t least, most;
     double rate;  ///< per node; a guess stands in for 0
 
     /// The number of nodes that bring an error down by a factor.
@@ -250,13 +267,20 @@ class HemisphereQuadrature {
       return step * static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / static_cast<double>(step)));
     }
 
-    std::size_t first(double error) const { return std::clamp(nodes(error), least_order, most); }
+    std::size_t first(double error) const { return std::clamp(nodes(error), least, most); }
 
     /// The next order to try; a little higher where the rate is not known.
     std::size_t next(std::size_t order, double factor) const {
       return std::min(order + (rate > 0 ? nodes(factor) : (order + 15) / 16 * 4), most);
     }
   };
+
+  /// The least order across a cell. In a wide one, a few terms of the series do not show how it falls off.
+  static std::size_t least_across(const Cell<Real>& cell) {
+    const double quarter_turns =
+        static_cast<double>(cell.theta_high - cell.theta_low) / (std::numbers::pi / 2);
+    return std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(4 * quarter_turns)));
+  }
 
   /// Whether ψ is cut at critical angles.
   bool is_cut() const { return critical_ > Real(0); }
@@ -301,7 +325,8 @@ class HemisphereQuadrature {
     using std::sin;
     const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
     AngleRecorder<Real> recorder;
-    directional_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)}, recorder, most_bounces_);
+    unpolarized_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)}, recorder, most_bounces_,
+                            Panel::one);
     return recorder;
   }
 
@@ -353,7 +378,7 @@ class HemisphereQuadrature {
     const double along_error = series_along.error(along_rule, along.rate, multiplicity, noise);
     // What is wrong with the integrals along ψ is noise to the series across.
     return {sum.integral, along_error,
-            series_across.error(across_rule, across.rate, 2, noise + along_error / across_rule.last_degree)};
+            series_across.error(across_rule, across.rate, 2, noise + along_error / across_rule.degrees[3])};
   }
 
   /// Adds the nodes of a rule from ψ = low to high to `nodes_`, with cos²ψ in their weights.
@@ -391,14 +416,17 @@ class HemisphereQuadrature {
     return total(sum.integral);
   }
 
+  /// R_1(e)
   Values reflectance(const Vec3<Reals>& e) {
     if constexpr (in_packs()) {
       const auto facet = facet_.template over_directions<lanes>();
       const CountedFacet<decltype(facet)> counted{facet, &evaluations_, static_cast<int>(lanes)};
-      return unpolarized_reflectance(cavity_, e, counted, most_bounces_);
+      // Packs want e.y ≥ 0; the mirror image of e meets panel two.
+      return unpolarized_reflectance(cavity_, Vec3<Reals>{e.x, magnitude(e.y), e.z}, counted, most_bounces_,
+                                     e.y[0] < Real(0) ? Panel::two : Panel::one);
     } else {
-      return unpolarized_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1},
-                                     most_bounces_);
+      return unpolarized_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1}, most_bounces_,
+                                     Panel::one);
     }
   }
 
@@ -423,13 +451,11 @@ class HemisphereQuadrature {
   std::vector<Real> smooth_pieces(const Cell<Real>& cell, const Vec3<Real>& e) const {
     using std::acos;
     std::vector<Real> pieces{cell.psi_low, cell.psi_high};
-    for (const Panel first : {Panel::one, Panel::two}) {
-      PanelImages<Real> images(cavity_, e, first);
-      for (; images.bounce() <= cavity_.max_bounces(); images.advance()) {
-        if (!(images.normal_component() > critical_)) continue;
-        const Real psi = acos(critical_ / images.normal_component());
-        if (psi > cell.psi_low && psi < cell.psi_high) pieces.push_back(psi);
-      }
+    for (PanelImages<Real> images(cavity_, e, Panel::one); images.bounce() <= cavity_.max_bounces();
+         images.advance()) {
+      if (!(images.normal_component() > critical_)) continue;
+      const Real psi = acos(critical_ / images.normal_component());
+      if (psi > cell.psi_low && psi < cell.psi_high) pieces.push_back(psi);
     }
     std::sort(pieces.begin(), pieces.end());
     return pieces;
@@ -447,6 +473,7 @@ class HemisphereQuadrature {
   std::vector<std::complex<double>> singular_cosines_;  // known, and none of them in [0, 1]
   Convergence whole_along_;                             // from ψ = 0 to π/2
   std::vector<AlongNode> nodes_;
+  std::size_t usual_along_ = 0;  // the order along ψ of the last cell
   long long evaluations_ = 0;
 };
 

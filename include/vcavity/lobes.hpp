@@ -26,6 +26,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "bounces.hpp"
@@ -223,10 +224,12 @@ bool is_dark(const Value& throughput, int bounce) {
 /// @param facet facet reflectance, a function of the cosine of the angle of incidence
 /// @param most_bounces lobes of more bounces are left out
 /// @param visit called as visit(images at the bounce, weight, throughput)
+/// @param only if given, light that meets the other panel first is left out
 template <class Real, FacetReflectance<Real> Facet, class Visit>
 VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& towards_light,
                                   const Facet& facet, int most_bounces, Visit&& visit,
-                                  DarkLight dark_light = DarkLight::followed) {
+                                  DarkLight dark_light = DarkLight::followed,
+                                  std::optional<Panel> only = std::nullopt) {
   using Value = value_t<Facet, Real>;
   assert(!any_positive(Real(-towards_light.z)));
   const int most = std::min(most_bounces, cavity.max_bounces());
@@ -240,6 +243,7 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
   const bool is_narrow = cavity.max_bounces() > Cavity<scalar_t<Real>>::tabulated_multiples;
   for (int panel = 0; panel < (opening.any_both ? 2 : 1); ++panel) {
     const Panel first = panel == 0 ? facing : opposite(facing);
+    if (only && *only != first) continue;
     PanelImages<Real> images(cavity, e, first);
     const ReachedFractions<Real> fractions(cavity, e, opening, images);
     Real reached = fractions.first();

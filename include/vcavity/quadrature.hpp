@@ -85,9 +85,9 @@ struct SeriesRule {
   };
 
   std::vector<Node> nodes;
-  double middle_degree;  ///< of the first two terms, halfway through the series
-  double last_degree;    ///< of the other two, the last that the nodes resolve
-  double exact_degree;   ///< degree up to which polynomials are integrated exactly
+  std::array<double, terms> degrees;  ///< of the terms: two halfway through the series, and the last two that
+                                      ///< the nodes resolve
+  double exact_degree;                ///< degree up to which polynomials are integrated exactly
 };
 
 /// The Legendre polynomial of a degree.
@@ -122,12 +122,10 @@ const SeriesRule<Real>& series_rule(std::size_t order) {
   SeriesRule<Real>& rule = rules[order];
   if (!rule.nodes.empty()) return rule;
 
-  const std::size_t half = order / 2;
   const std::array<std::size_t, SeriesRule<Real>::terms> degrees =
-      even ? std::array{2 * half - 2, 2 * half, 2 * order - 4, 2 * order - 2}
-           : std::array{half - 1, half, order - 2, order - 1};
-  rule.middle_degree = static_cast<double>(degrees[1]);
-  rule.last_degree = static_cast<double>(degrees[3]);
+      even ? std::array{order / 2 * 2 - 2, order / 2 * 2, 2 * order - 4, 2 * order - 2}
+           : std::array{(order - 1) / 2 - 1, (order - 1) / 2, order - 2, order - 1};
+  std::copy(degrees.begin(), degrees.end(), rule.degrees.begin());
   rule.exact_degree = static_cast<double>(even ? 4 * order - 1 : 2 * order - 1);
   for (const QuadratureNode<Real>& node : gauss_legendre<Real>(even ? 2 * order : order)) {
     if (even && node.x < Real(0)) continue;

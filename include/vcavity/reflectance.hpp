@@ -7,6 +7,8 @@
 /// reciprocity, also the hemispherical-directional reflectance seen from that direction under diffuse light;
 /// one function serves both.
 
+#include <optional>
+
 #include "energy_balance.hpp"
 #include "inline.hpp"
 #include "lobes.hpp"
@@ -23,9 +25,11 @@ template <class Real, std::size_t size, std::size_t bytes>
 inline constexpr bool always_added<Pack<Real, size, bytes>> = true;
 
 /// The sum of weight times `measure(throughput)` over the lobes of a direction.
+/// @param only if given, light that meets the other panel first is left out
 template <class Sum, class Real, class Facet, class Measure>
 VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
-                                  const Facet& facet, int most_bounces, const Measure& measure) {
+                                  const Facet& facet, int most_bounces, const Measure& measure,
+                                  std::optional<Panel> only = std::nullopt) {
   using Value = value_t<Facet, Real>;
   Sum sum(0);
   for_each_lobe(
@@ -33,7 +37,7 @@ VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Ve
       [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
         if (always_added<Value> || any_positive(weight)) sum = sum + scaled(weight, measure(throughput));
       },
-      DarkLight::merged);
+      DarkLight::merged, only);
   return sum;
 }
 
@@ -63,15 +67,16 @@ auto directional_reflectance(const Cavity<Scalar>& cavity, const Direction& e, c
 
 /// Directional reflectance of unpolarised light in any model of polarisation: `unpolarized` of the
 /// directional reflectance, without computing what this leaves out of a Mueller matrix. The parameters are
-/// the same.
+/// the same, and
+/// @param only if given, light that meets the other panel first is left out
 template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
 requires FacetReflectance<Facet, typename Direction::value_type>
 auto unpolarized_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
-                             int most_bounces = all_bounces) {
+                             int most_bounces = all_bounces, std::optional<Panel> only = std::nullopt) {
   using Real = typename Direction::value_type;
   return detail::sum_over_lobes<unpolarized_t<Facet, Real>>(
       cavity, e, facet, most_bounces,
-      [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); });
+      [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); }, only);
 }
 
 /// Directional absorptance 1 − R(θ, φ), and by Kirchhoff's law the directional emissivity; a sum of positive

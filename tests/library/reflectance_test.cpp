@@ -70,6 +70,33 @@ TEST_CASE("colours, packs and numbers of wavelengths give the same as one at a t
   }
 }
 
+TEMPLATE_LIST_TEST_CASE("light that meets one panel first and light that meets the other make up all", "",
+                        Reals) {
+  using Real = TestType;
+  using std::abs;
+  using std::cos;
+  using std::sin;
+  const Conductor<Real> silver(Real(0.13), Real(3.3));
+  const Real psi = radians(Real(25));
+  const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
+  for (const double aperture : {1.0, 30.0, 47.0, 90.0, 150.0}) {
+    const Cavity<Real> cavity(radians(Real(aperture)));
+    for (const double theta : {-70.0, -20.0, -0.4, 0.0, 0.4, 20.0, 70.0}) {
+      CAPTURE(aperture, theta);
+      const Real across = radians(Real(theta));
+      const Vec3<Real> e{sin(psi), cos(psi) * sin(across), cos(psi) * cos(across)};
+      const Vec3<Real> mirrored{e.x, -e.y, e.z};
+      const Real one = unpolarized_reflectance(cavity, e, silver, all_bounces, Panel::one);
+      const Real two = unpolarized_reflectance(cavity, e, silver, all_bounces, Panel::two);
+      CHECK(one >= Real(0));
+      CHECK(two >= Real(0));
+      CHECK(abs(one + two - directional_reflectance(cavity, e, silver)) < rounding);
+      CHECK(abs(unpolarized_reflectance(cavity, mirrored, silver, all_bounces, Panel::two) - one) < rounding);
+      if (std::abs(theta) > aperture / 2) CHECK((theta > 0 ? two : one) == Real(0));
+    }
+  }
+}
+
 TEST_CASE("thousands of bounces are counted, multiplied and end in time") {
   const Cavity<double> slit(radians(0.01));
   const Vec3<double> e = direction(0.0, 0.0);
