@@ -256,7 +256,8 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
     }
     for (;;) {
       if (!is_dark(throughput, images.bounce())) {
-        throughput = throughput * reflect(facet, images);
+        const Value reflected = reflect(facet, images);
+        throughput = images.bounce() == 1 ? reflected : throughput * reflected;  // a matrix product less
       } else if (dark_light == DarkLight::merged) {
         visit(images, reached, throughput);
         break;
