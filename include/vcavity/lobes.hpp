@@ -32,6 +32,7 @@
 #include "bounces.hpp"
 #include "cavity.hpp"
 #include "inline.hpp"
+#include "pack.hpp"
 #include "progression.hpp"
 #include "value.hpp"
 
@@ -214,6 +215,13 @@ bool is_dark(const Value& throughput, int bounce) {
   return bounce % seldom == 0 && largest(throughput) < std::numeric_limits<scalar_t<Value>>::min();
 }
 
+/// Whether it is faster to multiply a value by 1, or to add 0, than to find out that there is no need.
+template <class Value>
+inline constexpr bool cheaper_than_branch = Number<Value>;
+
+template <class Real, std::size_t size, std::size_t bytes>
+inline constexpr bool cheaper_than_branch<Pack<Real, size, bytes>> = true;
+
 /// Calls `visit` with every bounce after which light of a direction may leave, and the weight and throughput
 /// of the light that does; the loop behind `lobes` and `directional_reflectance`. Weights may be 0.
 ///
@@ -257,7 +265,10 @@ VCAVITY_INLINE void for_each_lobe(const Cavity<scalar_t<Real>>& cavity, const Ve
     for (;;) {
       if (!is_dark(throughput, images.bounce())) {
         const Value reflected = reflect(facet, images);
-        throughput = images.bounce() == 1 ? reflected : throughput * reflected;  // a matrix product less
+        if (!cheaper_than_branch<Value> && images.bounce() == 1)
+          throughput = reflected;
+        else
+          throughput = throughput * reflected;
       } else if (dark_light == DarkLight::merged) {
         visit(images, reached, throughput);
         break;

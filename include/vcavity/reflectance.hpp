@@ -17,13 +17,6 @@ namespace vcavity {
 
 namespace detail {
 
-/// Whether to add a value of no weight is faster than to find out that it has none.
-template <class Value>
-inline constexpr bool always_added = Number<Value>;
-
-template <class Real, std::size_t size, std::size_t bytes>
-inline constexpr bool always_added<Pack<Real, size, bytes>> = true;
-
 /// The sum of weight times `measure(throughput)` over the lobes of a direction.
 /// @param only if given, light that meets the other panel first is left out
 template <class Sum, class Real, class Facet, class Measure>
@@ -35,7 +28,8 @@ VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Ve
   for_each_lobe(
       cavity, e, facet, most_bounces,
       [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        if (always_added<Value> || any_positive(weight)) sum = sum + scaled(weight, measure(throughput));
+        if (cheaper_than_branch<Value> || any_positive(weight))
+          sum = sum + scaled(weight, measure(throughput));
       },
       DarkLight::merged, only);
   return sum;
