@@ -39,7 +39,8 @@ class Itinerary {
   /// The directional reflectance of a facet, the same number as `directional_reflectance`.
   /// @param facet facet reflectance, a function of the cosine of the angle of incidence
   template <class Facet>
-  requires std::invocable<const Facet&, const Real&> value_t<Facet, Real> reflectance(const Facet& facet)
+  requires std::invocable<const Facet&, const Real&> VCAVITY_INLINE value_t<Facet, Real> reflectance(
+      const Facet& facet)
   const {
     using Value = value_t<Facet, Real>;
     Value reflectance(0);

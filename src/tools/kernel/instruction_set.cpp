@@ -56,6 +56,14 @@ template <class Real>
   return Lanes<Real>::load(values.data());
 }
 
+// Copies the first values of a pack. All are converted: that takes as long as to convert one.
+template <class Real>
+[[gnu::always_inline]] inline void copy_first(const Lanes<Real>& values, std::size_t count, double* target) {
+  std::array<double, native_lanes<Real>> numbers;
+  std::copy(values.begin(), values.end(), numbers.begin());
+  std::copy_n(numbers.begin(), count, target);
+}
+
 // One wavelength: packs of directions.
 template <class Real>
 void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
@@ -66,8 +74,7 @@ void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
       const Lanes<Real> values = quantity(Vec3<Lanes<Real>>{loaded<Real>(job.directions.x, start),
                                                             loaded<Real>(job.directions.y, start),
                                                             loaded<Real>(job.directions.z, start)});
-      std::copy_n(values.begin(), std::min(lanes, count - start),
-                  job.values.begin() + static_cast<std::ptrdiff_t>(start));
+      copy_first(values, std::min(lanes, count - start), &job.values[start]);
     }
   };
   const RefractiveIndex& index = job.indices.front();
@@ -94,17 +101,15 @@ void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
   }
   const auto store = [&](std::size_t direction, std::size_t pack, const Lanes<Real>& values) {
     const std::size_t start = pack * lanes;
-    std::copy_n(values.begin(), std::min(lanes, job.indices.size() - start),
-                job.values.begin() + static_cast<std::ptrdiff_t>(direction * job.indices.size() + start));
+    copy_first(values, std::min(lanes, job.indices.size() - start),
+               &job.values[direction * job.indices.size() + start]);
   };
   if (job.quantity == Quantity::reflectance && job.polarization == Polarization::none) {
-    const auto reflectance = [](const Itinerary<Real>& itinerary, const auto& facet)
-                                 VCAVITY_INLINED { return itinerary.reflectance(facet); };
     Itinerary<Real> itinerary;
     for (std::size_t i = 0; i < job.directions.size(); ++i) {
       itinerary.follow(cavity, Vec3<Real>(job.directions[i]), job.most_bounces);
       for (std::size_t pack = 0; pack < facets.size(); ++pack)
-        store(i, pack, reflectance(itinerary, facets[pack]));
+        store(i, pack, itinerary.reflectance(facets[pack]));
     }
   } else {
     for (std::size_t pack = 0; pack < facets.size(); ++pack)
