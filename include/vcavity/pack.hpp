@@ -94,6 +94,15 @@ class Pack {
     return result;
   }
 
+  /// The same from numbers of another type.
+  template <class Other>
+  VCAVITY_INLINE static Pack load(const Other* components) {
+    Pack result;
+    for (std::size_t i = 0; i < registers; ++i)
+      result.registers_[i] = converted(components, i * width, std::make_index_sequence<width>());
+    return result;
+  }
+
   Real& operator[](std::size_t i) { return begin()[i]; }
   const Real& operator[](std::size_t i) const { return begin()[i]; }
   Real* begin() { return reinterpret_cast<Real*>(registers_); }
@@ -169,6 +178,18 @@ class Pack {
       return sqrt(x);
     } else {
       return Register{sqrt(x[lane])...};
+    }
+  }
+  template <class Other, std::size_t... lane>
+  VCAVITY_INLINE static Register converted(const Other* components, std::size_t start,
+                                           std::index_sequence<lane...>) {
+    const auto component = [&](std::size_t i) {
+      return static_cast<Real>(components[i < size ? i : size - 1]);
+    };
+    if constexpr (width == 1) {
+      return component(start);
+    } else {
+      return Register{component(start + lane)...};
     }
   }
   VCAVITY_INLINE static Register broadcast(const Real& value) {

@@ -45,14 +45,11 @@ void with_quantity(const KernelJob& job, const Cavity& cavity, const Facet& face
 // Numbers from one on, the last of them repeated to fill a pack.
 template <class Real>
 [[gnu::always_inline]] inline Lanes<Real> loaded(const std::vector<double>& numbers, std::size_t start) {
-  std::array<Real, native_lanes<Real>> values;
-  if (start + values.size() <= numbers.size()) {
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Real>(numbers[start + i]);
-  } else {
-    values.fill(static_cast<Real>(numbers.back()));
-    std::transform(numbers.begin() + static_cast<std::ptrdiff_t>(start), numbers.end(), values.begin(),
-                   [](double x) { return static_cast<Real>(x); });
-  }
+  constexpr std::size_t lanes = native_lanes<Real>;
+  if (start + lanes <= numbers.size()) return Lanes<Real>::load(&numbers[start]);
+  std::array<double, lanes> values;
+  values.fill(numbers.back());
+  std::copy(numbers.begin() + static_cast<std::ptrdiff_t>(start), numbers.end(), values.begin());
   return Lanes<Real>::load(values.data());
 }
 
