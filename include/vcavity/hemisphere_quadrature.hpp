@@ -164,7 +164,7 @@ class HemisphereQuadrature {
     /// exp(−rate k)
     /// @param noise rounding error of the coefficients
     double error(const Rule& rule, double known_rate, int multiplicity, double noise) const {
-      constexpr double safety = 10;
+      constexpr double safety = 10;  // by trial, over random grooves and facets
       // Either of two neighbours may be small by chance, but hardly both.
       const std::size_t middle = sizes[0] > sizes[1] ? 0 : 1;
       const std::size_t last = sizes[2] > sizes[3] ? 2 : 3;

@@ -122,9 +122,10 @@ const SeriesRule<Real>& series_rule(std::size_t order) {
   SeriesRule<Real>& rule = rules[order];
   if (!rule.nodes.empty()) return rule;
 
+  const std::size_t half = (order - 1) / 2;
   const std::array<std::size_t, SeriesRule<Real>::terms> degrees =
-      even ? std::array{order / 2 * 2 - 2, order / 2 * 2, 2 * order - 4, 2 * order - 2}
-           : std::array{(order - 1) / 2 - 1, (order - 1) / 2, order - 2, order - 1};
+      even ? std::array{2 * half - 2, 2 * half, 2 * order - 4, 2 * order - 2}
+           : std::array{half - 1, half, order - 2, order - 1};
   std::copy(degrees.begin(), degrees.end(), rule.degrees.begin());
   rule.exact_degree = static_cast<double>(even ? 4 * order - 1 : 2 * order - 1);
   for (const QuadratureNode<Real>& node : gauss_legendre<Real>(even ? 2 * order : order)) {

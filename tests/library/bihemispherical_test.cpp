@@ -232,6 +232,22 @@ TEST_CASE("a tolerance that is not positive is refused") {
                     std::invalid_argument);
 }
 
+TEST_CASE("the error of facets that say nothing about themselves is known and below the tolerance") {
+  for (double aperture = 5; aperture <= 180; aperture += 11.9)
+    for (const double power : {0.0, 0.5, 1.0, 2.0, 5.0, 13.0})
+      for (const double least : {0.0, 0.2}) {
+        const Cavity<double> cavity(radians(aperture));
+        const auto facet = [&](double cosine) { return least + (1 - least) * std::pow(cosine, power); };
+        const double exact = bihemispherical_reflectance(cavity, facet, 1e-12).value;
+        for (const double tolerance : {0.9, 0.1, 1e-3, 1e-5}) {
+          CAPTURE(aperture, power, least, tolerance);
+          const auto integral = bihemispherical_reflectance(cavity, facet, tolerance);
+          CHECK(integral.error <= tolerance);
+          CHECK(std::abs(integral.value - exact) <= tolerance);
+        }
+      }
+}
+
 TEST_CASE("a facet that is not a number ends the quadrature soon") {
   const auto nothing = [](double) { return std::numeric_limits<double>::quiet_NaN(); };
   const auto integral = bihemispherical_reflectance(Cavity<double>(1.0), nothing, 1e-8);
