@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "inline.hpp"
 #include "lobes.hpp"
 
 namespace vcavity {
