@@ -108,7 +108,7 @@ class HemisphereQuadrature {
     const Scalar least = tolerance / Scalar(static_cast<int>(2 * cells));
     Integral<Value> total{Value(0), Scalar(0), 0};
     for (std::size_t i = 0; i < cells; ++i) {
-      // What the cells before have not used up is left for the others.
+      // What the cells before have not used up is left for the others; if that is no number, `least`.
       const Scalar left = (tolerance - total.error) / Scalar(static_cast<int>(cells - i));
       add(total, {kinks[i], kinks[i + 1], Real(0), pi<Real>() / Real(2)}, left > least ? left : least, 0);
     }
