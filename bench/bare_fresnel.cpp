@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vcavity/fresnel.hpp>
+#include <vcavity/facet/fresnel.hpp>
 
 namespace vcavity::bench {
 namespace {

@@ -62,9 +62,8 @@ void print_row(const char* facet_name, const Facet& facet, float aperture_deg) {
       nanoseconds(queries, [&](const Query& q) { return weight_of(by_weight.sample(q.wo, q.u)); });
   const double albedo =
       nanoseconds(queries, [&](const Query& q) { return largest(unpolarized(by_energy.albedo(q.wo))); });
-  const double value = nanoseconds(queries, [&](const Query& q) {
-    return largest(unpolarized(spread.evaluate(q.wo, {0, 0, 1})));
-  });
+  const double value = nanoseconds(
+      queries, [&](const Query& q) { return largest(unpolarized(spread.evaluate(q.wo, {0, 0, 1}))); });
   const double fresnel = nanoseconds(queries, [&](const Query& q) {
     return largest(unpolarized(power(reflect(facet, PanelImages<float>(cavity, q.wo, Panel::one)))));
   });

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
-#include <vcavity/lobes.hpp>
+#include <vcavity/groove/lobes.hpp>
 
 #include "benchmarks.hpp"
-#include "tools/disc_map.hpp"
+#include "tools/maps/disc_map.hpp"
 #include "tools/materials/catalogue.hpp"
 
 namespace vcavity::bench {

@@ -31,8 +31,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
-#include <type_traits>
+
+#include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
 
@@ -50,18 +50,6 @@ enum class Panel { one = 1, two = 2 };
 /// The panel that faces `panel` across the groove.
 constexpr Panel opposite(Panel panel) {
   return panel == Panel::one ? Panel::two : Panel::one;
-}
-
-/// π to the precision of `Real`, which may be any number type with an `acos` found by argument-dependent
-/// look-up.
-template <class Real>
-Real pi() {
-  if constexpr (std::is_floating_point_v<Real>) {
-    return std::numbers::pi_v<Real>;
-  } else {
-    static const Real value = acos(Real(-1));
-    return value;
-  }
 }
 
 /// Degrees to radians. Multiples of 180/2^k give the correctly rounded multiple of π.

@@ -1,37 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Light reflected by specular V-grooves, in closed form. The includes below are in reading order.
+/// Light reflected by specular V-grooves, in closed form. The includes below are in reading order, a room after the
+/// other; the headers of a room use only those of the rooms before it.
 
-#include "version.hpp"
+// clang-format off: the order is that of reading.
+#include "vcavity/version.hpp"
+// numbers/ knows no light: what the library computes with.
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/complex.hpp"
+#include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/gauss_legendre.hpp"
+#include "vcavity/numbers/legendre_series.hpp"
+#include "vcavity/numbers/sine_substitution.hpp"
+#include "vcavity/numbers/progression_sum.hpp"
 // What is where, and in which units.
-#include "cavity.hpp"
-#include "conventions.hpp"
-// What a facet reflects: one bounce.
-#include "complex.hpp"
-#include "fresnel.hpp"
-#include "pack.hpp"
-#include "value.hpp"
-// What the groove makes of it: one ray, one direction, the hemisphere.
-#include "bihemispherical.hpp"
-#include "bounces.hpp"
-#include "energy_balance.hpp"
-#include "lobes.hpp"
-#include "quadrature.hpp"
-#include "reflectance.hpp"
-// What a renderer needs.
-#include "bsdf.hpp"
-#include "groove_frame.hpp"
-#include "spread_bsdf.hpp"
-#include "von_mises_fisher.hpp"
-// Light as a transverse wave: the same with polarisation.
-#include "absorbed_fields.hpp"
-#include "itinerary.hpp"
-#include "jones.hpp"
-#include "mueller.hpp"
-#include "polarization.hpp"
-// What of all this a scene needs.
-#include "planner.hpp"
-// To look at it, and to compare with.
-#include "paper_method.hpp"
-#include "projection.hpp"
+#include "vcavity/conventions.hpp"
+// facet/: one bounce.
+#include "vcavity/facet/facet.hpp"
+#include "vcavity/facet/fresnel.hpp"
+#include "vcavity/facet/energy_balance.hpp"
+// groove/: what the groove makes of it, for one ray and for one direction.
+#include "vcavity/groove/cavity.hpp"
+#include "vcavity/groove/bounces.hpp"
+#include "vcavity/groove/lobes.hpp"
+#include "vcavity/groove/reflectance.hpp"
+#include "vcavity/groove/itinerary.hpp"
+// polarization/: light as a transverse wave.
+#include "vcavity/polarization/jones.hpp"
+#include "vcavity/polarization/mueller.hpp"
+#include "vcavity/polarization/polarization.hpp"
+#include "vcavity/polarization/absorbed_fields.hpp"
+// hemisphere/: light from everywhere.
+#include "vcavity/hemisphere/integral.hpp"
+#include "vcavity/hemisphere/bihemispherical.hpp"
+#include "vcavity/hemisphere/paper_method.hpp"
+// render/: what a renderer needs.
+#include "vcavity/render/groove_frame.hpp"
+#include "vcavity/render/bsdf.hpp"
+#include "vcavity/render/von_mises_fisher.hpp"
+#include "vcavity/render/spread_bsdf.hpp"
+#include "vcavity/render/projection.hpp"
+// plan/: what of all this a scene needs.
+#include "vcavity/plan/planner.hpp"
+// clang-format on

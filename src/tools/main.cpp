@@ -11,10 +11,10 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/definitions.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/error.hpp"
 #include "tools/materials/nearest_name.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace {
 

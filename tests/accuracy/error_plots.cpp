@@ -12,7 +12,7 @@
 #include "accuracy/long_ways.hpp"
 #include "accuracy/subjects.hpp"
 #include "accuracy/textbook_fresnel.hpp"
-#include "tools/output/plot.hpp"
+#include "tools/images/plot.hpp"
 
 namespace vcavity::test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <vcavity/fresnel.hpp>
+#include <vcavity/facet/fresnel.hpp>
 
 #include "accuracy/arguments.hpp"
 #include "accuracy/bounds.hpp"

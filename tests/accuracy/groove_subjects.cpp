@@ -69,9 +69,8 @@ std::vector<Subject<Real>> groove_subjects() {
     for (const auto& lobe : lobes(Cavity<Real>(a[0]), direction_of(a), white)) sum += lobe.weight;
     return {{0, sum}};
   };
-  subject.refer_to([]<class Wide>(const std::vector<Wide>&) -> ExactResults<Wide> {
-    return {{0, {Wide(1), Wide(1)}}};
-  });
+  subject.refer_to(
+      []<class Wide>(const std::vector<Wide>&) -> ExactResults<Wide> { return {{0, {Wide(1), Wide(1)}}}; });
   subjects.push_back(subject);
 
   subject.name = "mean number of bounces";

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <vcavity/complex.hpp>
+#include <vcavity/numbers/complex.hpp>
 
 #include "support/reals.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <glm/geometric.hpp>
 #include <random>
-#include <vcavity/groove_frame.hpp>
+#include <vcavity/render/groove_frame.hpp>
 
 #include "support/catch.hpp"
 

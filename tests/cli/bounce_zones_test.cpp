@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/bounce_zones.hpp"
+#include "tools/maps/bounce_zones.hpp"
 
 #include <algorithm>
 #include <cmath>

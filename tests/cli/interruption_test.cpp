@@ -5,7 +5,7 @@
 
 #include "cli/program.hpp"
 #include "support/catch.hpp"
-#include "tools/output/exr.hpp"
+#include "tools/images/exr.hpp"
 
 using namespace std::chrono_literals;
 

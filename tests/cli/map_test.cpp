@@ -4,7 +4,7 @@
 
 #include "cli/program.hpp"
 #include "support/catch.hpp"
-#include "tools/output/exr.hpp"
+#include "tools/images/exr.hpp"
 
 using namespace vcavity;
 using tools::ExrImage;

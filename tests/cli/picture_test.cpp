@@ -2,7 +2,7 @@
 #include "cli/program.hpp"
 #include "output/page.hpp"
 #include "support/catch.hpp"
-#include "tools/output/exr.hpp"
+#include "tools/images/exr.hpp"
 
 using vcavity::tools::ColourMap;
 using vcavity::tools::map_colour;

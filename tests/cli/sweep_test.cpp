@@ -6,7 +6,7 @@
 
 #include "cli/program.hpp"
 #include "support/catch.hpp"
-#include "tools/output/exr.hpp"
+#include "tools/images/exr.hpp"
 
 using vcavity::tools::read_exr;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/environment.hpp"
+#include "tools/maps/environment.hpp"
 
 #include <unistd.h>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"
-#include "tools/disc_map.hpp"
+#include "tools/maps/disc_map.hpp"
 
 using namespace vcavity;
 using namespace vcavity::tools;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/map_plan.hpp"
+#include "tools/maps/map_plan.hpp"
 
 #include <cmath>
 #include <random>
@@ -7,8 +7,8 @@
 
 #include "support/catch.hpp"
 #include "tools/colour/colour_difference.hpp"
-#include "tools/error.hpp"
 #include "tools/materials/catalogue.hpp"
+#include "tools/support/error.hpp"
 
 using namespace vcavity;
 using namespace vcavity::tools;

@@ -144,8 +144,7 @@ TEMPLATE_LIST_TEST_CASE("grey facets obey Hottel's crossed strings", "", Reals) 
       power *= rho;
       expected += power * (Real(2) * string(m) - string(m - 1) - string(m + 1)) / string(1);
     }
-    const auto result = bihemispherical_reflectance(
-        cavity, [&](const Real&) { return rho; }, tolerance);
+    const auto result = bihemispherical_reflectance(cavity, [&](const Real&) { return rho; }, tolerance);
     CAPTURE(aperture_deg);
     CHECK(std::abs(static_cast<double>(result.value - expected)) <=
           static_cast<double>(Real(20) * tolerance));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vcavity/cavity.hpp>
+#include <vcavity/groove/cavity.hpp>
 
 #include "support/catch.hpp"
 #include "support/reals.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <vcavity/fan.hpp>
+#include <vcavity/groove/fan.hpp>
 
 #include "support/catch.hpp"
 #include "support/reals.hpp"

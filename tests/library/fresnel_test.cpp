@@ -2,8 +2,8 @@
 #include <complex>
 #include <glm/vec3.hpp>
 #include <random>
-#include <vcavity/fresnel.hpp>
-#include <vcavity/pack.hpp>
+#include <vcavity/facet/fresnel.hpp>
+#include <vcavity/numbers/pack.hpp>
 
 #include "support/catch.hpp"
 #include "support/reals.hpp"

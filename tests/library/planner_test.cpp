@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <random>
-#include <vcavity/planner.hpp>
+#include <vcavity/plan/planner.hpp>
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"

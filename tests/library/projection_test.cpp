@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vcavity/projection.hpp>
-#include <vcavity/quadrature.hpp>
+#include <vcavity/hemisphere/integral.hpp>
+#include <vcavity/numbers/gauss_legendre.hpp>
+#include <vcavity/render/projection.hpp>
 
 #include "support/catch.hpp"
 #include "support/reals.hpp"

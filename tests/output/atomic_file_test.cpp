@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/atomic_file.hpp"
+#include "tools/images/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -20,7 +20,7 @@ using Names = std::vector<std::string>;
 namespace {
 
 mode_t mode_of(const std::filesystem::path& path) {
-  struct stat status {};
+  struct stat status{};
   REQUIRE(::stat(path.c_str(), &status) == 0);
   return status.st_mode & 07777;
 }
@@ -118,7 +118,9 @@ TEST_CASE("an earlier file is untouched until the commit") {
 
 TEST_CASE("a file that is not committed leaves no trace") {
   const ScratchFolder folder;
-  { AtomicFile(folder / "a.csv").write("half"); }
+  {
+    AtomicFile(folder / "a.csv").write("half");
+  }
   CHECK(folder.names().empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/colour_map.hpp"
+#include "tools/images/colour_map.hpp"
 
 #include <cmath>
 #include <limits>

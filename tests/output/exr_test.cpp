@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/exr.hpp"
+#include "tools/images/exr.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "tools/output/atomic_file.hpp"
+#include "tools/images/atomic_file.hpp"
 
 int main(int, char** arguments) {
   vcavity::tools::AtomicFile file(arguments[1]);

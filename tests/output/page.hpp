@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "tools/output/colour_map.hpp"
+#include "tools/images/colour_map.hpp"
 
 /// Where on the page pixels of one colour lie; the bounds are inclusive.
 struct Patch {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/plot.hpp"
+#include "tools/images/plot.hpp"
 
 #include <cmath>
 

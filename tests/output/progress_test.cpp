@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/progress.hpp"
+#include "tools/images/progress.hpp"
 
 #include <fcntl.h>
 #include <termios.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/sheet.hpp"
+#include "tools/images/sheet.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/output/ticks.hpp"
+#include "tools/images/ticks.hpp"
 
 #include <random>
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <vcavity/conventions.hpp>
-#include <vcavity/mueller.hpp>
+#include <vcavity/polarization/mueller.hpp>
 
 namespace vcavity::test {
 

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/failure.hpp"
 #include "tools/materials/nearest_name.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_file.hpp"
 #include "tools/temporary_file.hpp"
-#include "tools/text_file.hpp"
 
 namespace vcavity::tools::testing {
 namespace {

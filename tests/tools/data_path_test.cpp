@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/data_path.hpp"
+#include "tools/support/data_path.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/failure.hpp"
 #include "tools/materials/catalogue.hpp"
+#include "tools/support/error.hpp"
 #include "tools/temporary_file.hpp"
 
 namespace vcavity::tools::testing {

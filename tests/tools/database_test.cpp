@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/materials/refractiveindex_info.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools::testing {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "support/catch.hpp"
-#include "tools/data_path.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/data_path.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools::testing {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/failure.hpp"
+#include "tools/support/error.hpp"
 #include "tools/temporary_file.hpp"
 
 namespace vcavity::tools::testing {

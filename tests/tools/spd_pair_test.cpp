@@ -5,9 +5,9 @@
 #include <string>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/failure.hpp"
 #include "tools/materials/catalogue.hpp"
+#include "tools/support/error.hpp"
 #include "tools/temporary_file.hpp"
 
 namespace vcavity::tools::testing {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "tools/error.hpp"
 #include "tools/failure.hpp"
+#include "tools/support/error.hpp"
 
 namespace vcavity::tools::testing {
 namespace {

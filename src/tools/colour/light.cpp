@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "tools/data_path.hpp"
-#include "tools/error.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/data_path.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/linear_table.hpp"
+#include "tools/support/linear_table.hpp"
 
 namespace vcavity::tools {
 

@@ -9,10 +9,10 @@
 #include <sstream>
 #include <utility>
 
-#include "tools/data_path.hpp"
-#include "tools/error.hpp"
-#include "tools/linear_table.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/data_path.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/linear_table.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 namespace {

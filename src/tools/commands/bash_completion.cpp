@@ -5,8 +5,8 @@
 
 #include "tools/commands/definitions.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/text_table.hpp"
 #include "tools/materials/catalogue.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

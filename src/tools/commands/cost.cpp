@@ -8,10 +8,10 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/text_table.hpp"
+#include "tools/images/plot.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/output/plot.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

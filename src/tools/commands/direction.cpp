@@ -4,16 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
-#include <vcavity/absorbed_fields.hpp>
-#include <vcavity/polarization.hpp>
-#include <vcavity/reflectance.hpp>
+#include <vcavity/groove/reflectance.hpp>
+#include <vcavity/polarization/absorbed_fields.hpp>
+#include <vcavity/polarization/polarization.hpp>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/facet.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

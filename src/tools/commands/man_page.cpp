@@ -2,8 +2,8 @@
 #include "tools/commands/man_page.hpp"
 
 #include "tools/commands/definitions.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

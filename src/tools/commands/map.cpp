@@ -4,16 +4,16 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vcavity/lobes.hpp>
+#include <vcavity/groove/lobes.hpp>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/sweep.hpp"
-#include "tools/disc_map.hpp"
-#include "tools/error.hpp"
-#include "tools/map_picture.hpp"
-#include "tools/map_plan.hpp"
+#include "tools/maps/disc_map.hpp"
+#include "tools/maps/map_picture.hpp"
+#include "tools/maps/map_plan.hpp"
+#include "tools/maps/sweep.hpp"
 #include "tools/materials/catalogue.hpp"
+#include "tools/support/error.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "tools/error.hpp"
-#include "tools/facet.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/error.hpp"
 
 namespace vcavity::tools {
 namespace {

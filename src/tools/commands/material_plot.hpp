@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "tools/images/plot.hpp"
 #include "tools/materials/material.hpp"
-#include "tools/output/plot.hpp"
 
 namespace vcavity::tools {
 

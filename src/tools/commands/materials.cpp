@@ -7,10 +7,10 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/material_plot.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/facet.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <vcavity/lobes.hpp>
+#include <vcavity/groove/lobes.hpp>
 
-#include "tools/commands/text_table.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/text_file.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

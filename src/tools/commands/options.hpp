@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/error.hpp"
-#include "tools/facet.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/support/error.hpp"
 
 namespace vcavity::tools {
 

@@ -13,13 +13,13 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/paper_tables.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/disc_map.hpp"
-#include "tools/map_picture.hpp"
+#include "tools/images/colour_map.hpp"
+#include "tools/images/sheet.hpp"
+#include "tools/maps/disc_map.hpp"
+#include "tools/maps/map_picture.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/output/colour_map.hpp"
-#include "tools/output/sheet.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

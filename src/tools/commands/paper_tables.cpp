@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vcavity/vcavity.hpp>
 
-#include "tools/facet.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/materials/provenance.hpp"
 
 namespace vcavity::tools {
 namespace {
@@ -85,9 +85,8 @@ PaperTables compute_paper_tables() {
     const double c = (1 + node.x) / 2;
     tables.silver_flat += node.weight * facet(c) * c;
   }
-  tables.furnace = bihemispherical_reflectance(
-                       Cavity<double>(radians(45.0)), [](double) { return 1.0; }, tolerance)
-                       .value;
+  tables.furnace =
+      bihemispherical_reflectance(Cavity<double>(radians(45.0)), [](double) { return 1.0; }, tolerance).value;
   return tables;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/commands/text_table.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 

@@ -8,16 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
-#include <vcavity/bihemispherical.hpp>
+#include <vcavity/hemisphere/bihemispherical.hpp>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
-#include "tools/commands/text_table.hpp"
-#include "tools/facet.hpp"
-#include "tools/map_plan.hpp"
+#include "tools/images/progress.hpp"
+#include "tools/maps/map_plan.hpp"
 #include "tools/materials/catalogue.hpp"
-#include "tools/output/progress.hpp"
-#include "tools/provenance.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/materials/provenance.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -8,10 +8,10 @@
 #include <vcavity/vcavity.hpp>
 
 #include "tools/colour/colour_difference.hpp"
-#include "tools/commands/text_table.hpp"
 #include "tools/cost/traced_reflectance.hpp"
-#include "tools/disc_map.hpp"
-#include "tools/facet.hpp"
+#include "tools/maps/disc_map.hpp"
+#include "tools/materials/facet.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {

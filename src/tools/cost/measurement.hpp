@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vcavity/bihemispherical.hpp>
+#include <vcavity/hemisphere/bihemispherical.hpp>
 #include <vector>
 
 namespace vcavity::tools {
@@ -35,14 +35,16 @@ class CountedFacet : public FacetWrapper<CountedFacet, Facet> {
       : Base(facet), evaluations_(evaluations), directions_(directions) {}
 
   template <class Bounce>
-  requires std::invocable<const Facet&, const Bounce&>
+    requires std::invocable<const Facet&, const Bounce&>
   auto operator()(const Bounce& bounce) const {
     evaluations_ += static_cast<long long>(directions_);
     return Base::facet()(bounce);
   }
 
   template <std::size_t directions>
-  auto over_directions() const requires OverDirections<Facet> {
+  auto over_directions() const
+    requires OverDirections<Facet>
+  {
     using Wide = decltype(std::declval<const Facet&>().template over_directions<directions>());
     return CountedFacet<Wide>(Base::facet().template over_directions<directions>(), evaluations_, directions);
   }

@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <vcavity/cavity.hpp>
+#include <vcavity/groove/cavity.hpp>
 #include <vector>
 
-#include "tools/facet.hpp"
+#include "tools/materials/facet.hpp"
 
 namespace vcavity::tools {
 
@@ -44,7 +44,7 @@ struct KernelJob {
   int most_bounces;
   std::span<const RefractiveIndex> indices;  ///< one for each wavelength
   const Directions& directions;              ///< all with e.y ≥ 0; the groove is its own mirror image
-  std::span<double> values;  ///< result: those of the first direction, then of the second, …
+  std::span<double> values;                  ///< result: those of the first direction, then of the second, …
 };
 
 /// A kernel for one instruction set.

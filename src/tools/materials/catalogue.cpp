@@ -10,13 +10,13 @@
 #include <set>
 #include <system_error>
 
-#include "tools/data_path.hpp"
-#include "tools/error.hpp"
 #include "tools/materials/nearest_name.hpp"
 #include "tools/materials/nk_csv.hpp"
 #include "tools/materials/refractiveindex_info.hpp"
 #include "tools/materials/spd_pair.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/data_path.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "tools/error.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/text_file.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 

@@ -9,7 +9,7 @@
 
 #include "tools/materials/dispersion_formula.hpp"
 #include "tools/materials/tabulated.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tools/error.hpp"
 #include "tools/materials/tabulated.hpp"
+#include "tools/support/error.hpp"
 
 namespace vcavity::tools {
 namespace {

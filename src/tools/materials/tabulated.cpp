@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "tools/linear_table.hpp"
+#include "tools/support/linear_table.hpp"
 
 namespace vcavity::tools {
 

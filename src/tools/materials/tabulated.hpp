@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/materials/material.hpp"
-#include "tools/text_file.hpp"
+#include "tools/support/text_file.hpp"
 
 namespace vcavity::tools {
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Reflected and absorbed light side by side, so that the absorptance 1 − R keeps its digits when R is close
+/// to 1.
+///
+/// After a bounce that absorbs A₁ of the light and reflects R₁, a second one absorbs R₁ A₂ more: sums of
+/// positive terms, never a difference of rounded numbers.
+
+#include <utility>
+
+#include "vcavity/facet/facet.hpp"
+#include "vcavity/facet/facet_wrapper.hpp"
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/pack.hpp"
+
+namespace vcavity {
+
+/// What became of unit flux: `reflected + absorbed` = 1 up to rounding, or less where bounces were left out.
+template <class Value>
+struct EnergyBalance {
+  using value_type = scalar_t<Value>;
+
+  Value reflected;
+  Value absorbed;
+
+  EnergyBalance() = default;
+  EnergyBalance(const Value& reflected_part, const Value& absorbed_part)
+      : reflected(reflected_part), absorbed(absorbed_part) {}
+
+  /// 1: all reflected. 0: no light at all.
+  explicit EnergyBalance(int light) : reflected(light == 0 ? Value(0) : Value(1)), absorbed(Value(0)) {}
+
+  /// The rounding of many bounces never adds up to more than all of the light.
+  friend EnergyBalance operator*(const EnergyBalance& first, const EnergyBalance& second) {
+    return {first.reflected * second.reflected,
+            at_most(Value(first.absorbed + first.reflected * second.absorbed), value_type(1))};
+  }
+  friend EnergyBalance operator+(const EnergyBalance& a, const EnergyBalance& b) {
+    return {a.reflected + b.reflected, a.absorbed + b.absorbed};
+  }
+  friend EnergyBalance operator*(const value_type& s, const EnergyBalance& a) {
+    return {s * a.reflected, s * a.absorbed};
+  }
+  template <class Real, std::size_t size, std::size_t bytes>
+  friend EnergyBalance operator*(const Pack<Real, size, bytes>& s, const EnergyBalance& a) {
+    return {s * a.reflected, s * a.absorbed};
+  }
+  friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }
+};
+
+/// A facet that also knows its absorptance, as `Conductor` and `Dielectric` do.
+template <class Facet, class Real>
+concept AbsorbingFacet =
+    FacetReflectance<Facet, Real> && requires(const Facet& facet, const Real& cos_theta_i) {
+      { facet.absorptance(cos_theta_i) } -> std::convertible_to<value_t<Facet, Real>>;
+    };
+
+/// Facet reflectance that returns the energy balance of each bounce.
+template <class Facet>
+class EnergyBalanced : public FacetWrapper<EnergyBalanced, Facet> {
+ public:
+  using FacetWrapper<EnergyBalanced, Facet>::FacetWrapper;
+  using FacetWrapper<EnergyBalanced, Facet>::facet;
+
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Real>
+    requires AbsorbingFacet<Facet, Real>
+  EnergyBalance<value_t<Facet, Real>> operator()(const Real& cos_theta_i) const {
+    return {facet()(cos_theta_i), facet().absorptance(cos_theta_i)};
+  }
+};
+
+}  // namespace vcavity

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Numbers: the types that the library computes with, and what they are made of.
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+namespace vcavity {
+
+/// A number type: built in, or any other with `std::numeric_limits`.
+template <class T>
+concept Number = std::numeric_limits<T>::is_specialized;
+
+namespace detail {
+template <class Value>
+struct Scalar {
+  using type = Value;
+};
+template <class Value>
+  requires(!Number<Value>)
+struct Scalar<Value> {
+  using type = typename Value::value_type;
+};
+}  // namespace detail
+
+/// The number type that `Value` is made of: itself, or its `value_type`.
+template <class Value>
+using scalar_t = typename detail::Scalar<Value>::type;
+
+/// π to the precision of `Real`, which may be any number type with an `acos` found by argument-dependent
+/// look-up.
+template <class Real>
+Real pi() {
+  if constexpr (std::is_floating_point_v<Real>) {
+    return std::numbers::pi_v<Real>;
+  } else {
+    static const Real value = acos(Real(-1));
+    return value;
+  }
+}
+
+}  // namespace vcavity

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// A fixed number of values computed together, such as the wavelengths of a spectrum or neighbouring
+/// directions.
+///
+/// Every operation works component by component, in vector registers where the compiler has them (GCC and
+/// Clang, as wide as the instruction set that the translation unit is compiled for). `Conductor<Pack<double,
+/// 31>>` is a facet reflectance for 31 wavelengths at once. Translation units compiled for different
+/// instruction sets must not exchange packs.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/number.hpp"
+
+namespace vcavity {
+
+namespace detail {
+
+/// Bytes in a vector register.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+/// As many numbers as an instruction takes: a vector register, or a single number where there is none.
+template <class Real, std::size_t size, std::size_t most_bytes>
+struct Register {
+  using type = Real;
+  static constexpr std::size_t width = 1;
+};
+
+#if defined(__GNUC__)
+template <class Real, std::size_t size, std::size_t most_bytes>
+  requires((std::is_same_v<Real, float> || std::is_same_v<Real, double>) && size > 1)
+struct Register<Real, size, most_bytes> {
+  // No wider than the pack, rounded up to a power of two.
+  static constexpr std::size_t bytes() {
+    std::size_t result = 2 * sizeof(Real);
+    while (result < size * sizeof(Real) && result < most_bytes) result *= 2;
+    return result;
+  }
+  typedef Real type __attribute__((vector_size(bytes()), may_alias));
+  static constexpr std::size_t width = bytes() / sizeof(Real);
+};
+#endif
+
+}  // namespace detail
+
+/// How many numbers fit into a vector register: the size of pack that is fastest.
+template <class Real>
+inline constexpr std::size_t native_lanes = std::max<std::size_t>(detail::register_bytes / sizeof(Real), 1);
+
+/// @tparam Real number type of a component
+/// @tparam size number of components, at least 1
+/// @tparam most_bytes size of the vector registers; part of the type, so that code for different instruction
+/// sets can
+///         be linked into one program
+template <class Real, std::size_t size, std::size_t most_bytes = detail::register_bytes>
+class Pack {
+  using Register = typename detail::Register<Real, size, most_bytes>::type;
+  static constexpr std::size_t width = detail::Register<Real, size, most_bytes>::width;
+  static constexpr std::size_t registers = (size + width - 1) / width;
+
+ public:
+  using value_type = Real;
+
+  Pack() = default;
+
+  /// All components equal to `value`.
+  explicit Pack(const Real& value) {
+    for (Register& x : registers_) x = broadcast(value);
+  }
+
+  explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
+    std::copy(components.begin(), components.end(), begin());
+  }
+
+  /// The `size` components that start at an address.
+  VCAVITY_INLINE static Pack load(const Real* components) {
+    Pack result(components[size - 1]);
+    std::memcpy(result.registers_, components, size * sizeof(Real));
+    return result;
+  }
+
+  /// The same from numbers of another type.
+  template <class Other>
+  VCAVITY_INLINE static Pack load(const Other* components) {
+    Pack result;
+    for (std::size_t i = 0; i < registers; ++i)
+      result.registers_[i] = converted(components, i * width, std::make_index_sequence<width>());
+    return result;
+  }
+
+  Real& operator[](std::size_t i) { return begin()[i]; }
+  const Real& operator[](std::size_t i) const { return begin()[i]; }
+  Real* begin() { return reinterpret_cast<Real*>(registers_); }
+  Real* end() { return begin() + size; }
+  const Real* begin() const { return reinterpret_cast<const Real*>(registers_); }
+  const Real* end() const { return begin() + size; }
+
+  VCAVITY_INLINE friend Pack operator-(const Pack& a) {
+    return map([](const auto& x) { return -x; }, a);
+  }
+  VCAVITY_INLINE friend Pack operator+(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x + y; }, a, b);
+  }
+  VCAVITY_INLINE friend Pack operator-(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x - y; }, a, b);
+  }
+  VCAVITY_INLINE friend Pack operator*(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x * y; }, a, b);
+  }
+  VCAVITY_INLINE friend Pack operator/(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return x / y; }, a, b);
+  }
+  VCAVITY_INLINE friend Pack operator*(const Real& s, const Pack& a) {
+    return map([y = broadcast(s)](const auto& x) { return y * x; }, a);
+  }
+  friend bool operator==(const Pack& a, const Pack& b) { return std::equal(a.begin(), a.end(), b.begin()); }
+
+  VCAVITY_INLINE friend Pack sqrt(const Pack& a) {
+    Pack result = a;
+    for (Register& x : result.registers_) x = root(x, std::make_index_sequence<width>());
+    return result;
+  }
+  VCAVITY_INLINE friend Pack magnitude(const Pack& a) {
+    return map([](const auto& x) { return x < zero() ? -x : x; }, a);
+  }
+  VCAVITY_INLINE friend Pack select_nonnegative(const Pack& x, const Pack& a, const Pack& b) {
+    return map([](const auto& t, const auto& y, const auto& z) { return t >= zero() ? y : z; }, x, a, b);
+  }
+  VCAVITY_INLINE friend Pack select_positive(const Pack& x, const Pack& a, const Pack& b) {
+    return map([](const auto& t, const auto& y, const auto& z) { return t > zero() ? y : z; }, x, a, b);
+  }
+  VCAVITY_INLINE friend Pack at_least(const Pack& a, const Real& floor) {
+    return map([low = broadcast(floor)](const auto& x) { return x < low ? low : x; }, a);
+  }
+  VCAVITY_INLINE friend Pack at_most(const Pack& a, const Real& ceiling) {
+    return map([high = broadcast(ceiling)](const auto& x) { return high < x ? high : x; }, a);
+  }
+  VCAVITY_INLINE friend Pack at_most(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
+  }
+  VCAVITY_INLINE friend bool any_positive(const Pack& a) {
+    return a.any([](const auto& x) { return x > decltype(x + x){}; });
+  }
+  VCAVITY_INLINE friend bool all_positive(const Pack& a) {
+    return !a.any([](const auto& x) { return !(x > decltype(x + x){}); });
+  }
+  template <class Visit>
+  friend void for_each_component(const Pack& a, Visit&& visit) {
+    for (const Real& x : a) visit(x);
+  }
+  friend Real largest(const Pack& a) {
+    Real result = vcavity::largest(a[0]);
+    for (const Real& x : a) result = at_least(result, vcavity::largest(x));
+    return result;
+  }
+
+ private:
+  // Without a loop, compilers see the one instruction that this is.
+  template <std::size_t... lane>
+  VCAVITY_INLINE static Register root(const Register& x, std::index_sequence<lane...>) {
+    using std::sqrt;
+    if constexpr (width == 1) {
+      return sqrt(x);
+    } else {
+      return Register{sqrt(x[lane])...};
+    }
+  }
+  template <class Other, std::size_t... lane>
+  VCAVITY_INLINE static Register converted(const Other* components, std::size_t start,
+                                           std::index_sequence<lane...>) {
+    const auto component = [&](std::size_t i) {
+      return static_cast<Real>(components[i < size ? i : size - 1]);
+    };
+    if constexpr (width == 1) {
+      return component(start);
+    } else {
+      return Register{component(start + lane)...};
+    }
+  }
+  VCAVITY_INLINE static Register broadcast(const Real& value) {
+    if constexpr (width == 1) {
+      return value;
+    } else {
+      return value - Register{};
+    }
+  }
+  VCAVITY_INLINE static Register zero() { return Register(broadcast(Real(0))); }
+
+  /// The pack of operation(a, b, …), a register at a time.
+  template <class Operation, class... Packs>
+  VCAVITY_INLINE static Pack map(Operation operation, const Packs&... packs) {
+    Pack result;
+    for (std::size_t i = 0; i < registers; ++i) result.registers_[i] = operation(packs.registers_[i]...);
+    return result;
+  }
+
+  /// Whether a condition holds for some component.
+  template <class Condition>
+  VCAVITY_INLINE bool any(Condition condition) const {
+    if constexpr (width == 1 || size % width != 0) {
+      for (const Real& x : *this)
+        if (bool(condition(x))) return true;
+      return false;
+    } else {
+      auto found = condition(registers_[0]);
+      for (std::size_t i = 1; i < registers; ++i) found |= condition(registers_[i]);
+      return any_bit(found);
+    }
+  }
+
+  /// Whether a bit is set; halves are combined until they fit into a word.
+  template <class Bits>
+  VCAVITY_INLINE static bool any_bit(const Bits& bits) {
+    if constexpr (sizeof bits <= sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, &bits, sizeof bits);
+      return word != 0;
+    } else {
+      typedef std::uint64_t Half __attribute__((vector_size(sizeof bits / 2)));
+      Half halves[2];
+      std::memcpy(halves, &bits, sizeof bits);
+      return any_bit(halves[0] | halves[1]);
+    }
+  }
+
+  Register registers_[registers];
+};
+
+}  // namespace vcavity

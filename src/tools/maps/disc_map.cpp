@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/maps/disc_map.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <future>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vcavity/vcavity.hpp>
+
+#include "tools/materials/provenance.hpp"
+#include "tools/support/error.hpp"
+#include "tools/support/text_table.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+std::string in_words(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bounces:
+      return "number of bounces, mean over the opening in Y";
+    case Quantity::degree_of_polarization:
+      return "degree of polarisation under unpolarised diffuse light";
+    case Quantity::absorptance:
+      return "directional absorptance, which is the directional emissivity";
+    default:
+      return "hemispherical-directional reflectance factor";
+  }
+}
+
+std::string in_words(const Viewing& viewing) {
+  return std::string("linear ") + (viewing.rgb == RgbSpace::rec2020 ? "Rec. 2020" : "sRGB") +
+         " of the spectrum under " + load_light(viewing.light).name + ", " +
+         (viewing.observer == Observer::cie_1964_10deg ? "CIE 1964 10" : "CIE 1931 2") +
+         " degree observer; neither clipped nor adapted to another white";
+}
+
+}  // namespace
+
+std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
+  const double scale = std::numbers::sqrt2 / size;
+  return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
+}
+
+DiscMapper::DiscMapper(MapRequest request)
+    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+  if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
+    throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
+  for (const double wavelength_nm : request_.wavelengths_nm)
+    indices_.push_back(request_.material.at(wavelength_nm));
+  if (request_.quantity == Quantity::bounces) {
+    channels_ = {"Y", "bounces.least", "bounces.most", "A"};
+  } else if (request_.environment) {
+    channels_ = {"R", "G", "B", "A"};
+  } else if (indices_.size() == 1) {
+    channels_ = {"Y", "A"};
+  } else {
+    const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
+    if (request_.quantity == Quantity::reflectance &&
+        std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
+      weights_.emplace(request_.wavelengths_nm, load_light(request_.viewing.light),
+                       request_.viewing.observer);
+      channels_ = {"R", "G", "B"};
+    }
+    channels_.push_back("A");
+    if (request_.spectrum == Spectrum::written)
+      for (const double wavelength_nm : request_.wavelengths_nm)
+        channels_.push_back(spectral_channel_name(wavelength_nm));
+  }
+}
+
+ExrAttributes DiscMapper::attributes() const {
+  ExrAttributes result{
+      {"software", software()},
+      {"command", command_line()},
+      {"material", request_.material.name()},
+      {"materialSource", request_.material.reference()},
+      {"apertureDeg", request_.aperture_deg},
+      {"projection", std::string("Lambert azimuthal equal-area, disc of radius sqrt(2); u to the right "
+                                 "across the groove, v upwards along it")}};
+  const bool limited = request_.most_bounces != all_bounces;
+  result["maxBounces"] = limited ? std::to_string(request_.most_bounces) : std::string("all");
+  result["quantity"] = in_words(request_.quantity);
+  result["units"] = std::string("1");
+  if (request_.quantity == Quantity::bounces) return result;
+  result["arithmetic"] = std::string(request_.precision == Precision::single_precision ? "float" : "double");
+  result["polarization"] = std::string(name_of(request_.polarization));
+  if (request_.environment) {
+    result["quantity"] = std::string("radiance reflected from the environment");
+    result["units"] = std::string("those of the environment");
+    result["environment"] = request_.environment->name();
+  }
+  if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
+    result.insert(spectral_layout_version());
+  if (weights_) {
+    result["colour"] = in_words(request_.viewing);
+  }
+  if (indices_.size() == 1) {
+    result["wavelengthNm"] = request_.wavelengths_nm.front();
+    result["refractiveIndexN"] = indices_.front().n;
+    result["extinctionK"] = indices_.front().k;
+  } else {
+    std::vector<std::string> n, k, nm;
+    for (const double wavelength_nm : request_.wavelengths_nm) nm.push_back(exact(wavelength_nm));
+    for (const RefractiveIndex& index : indices_) {
+      n.push_back(exact(index.n));
+      k.push_back(exact(index.k));
+    }
+    result["wavelengthsNm"] = joined(nm, " ");
+    result["refractiveIndicesN"] = joined(n, " ");
+    result["extinctionsK"] = joined(k, " ");
+  }
+  return result;
+}
+
+// For each direction, all with e.y ≥ 0, the values at all wavelengths.
+std::vector<double> DiscMapper::spectra(const Directions& directions) const {
+  std::vector<double> values(directions.size() * indices_.size());
+  run_kernel({cavity_.aperture(), request_.quantity, request_.polarization, request_.most_bounces, indices_,
+              directions, values},
+             request_.precision);
+  return values;
+}
+
+Xyz DiscMapper::colour(const Vec3<double>& e) const {
+  return weights_->colour(spectra({{e.x}, {std::abs(e.y)}, {e.z}}));
+}
+
+// A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
+// wide as its weight, and in it the environment behind the lobe.
+glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
+  const auto index = [&](std::size_t channel) { return indices_[std::min(channel, indices_.size() - 1)]; };
+  const Conductor<glm::dvec3> facet({index(0).n, index(1).n, index(2).n},
+                                    {index(0).k, index(1).k, index(2).k});
+  return with_polarization(request_.polarization, facet, [&](const auto& model) {
+    glm::dvec3 sum(0.0);
+    for (const auto& lobe : lobes(cavity_, e, model, request_.most_bounces))
+      sum +=
+          lobe.weight * unpolarized(power(lobe.throughput)) * request_.environment->radiance(lobe.direction);
+    return sum;
+  });
+}
+
+// What the kernels do not compute.
+// `put(channel, pixel, value)` takes the values.
+template <class Put>
+void DiscMapper::put_from_lobes(const Vec3<double>& e, std::size_t pixel, const Put& put) const {
+  if (request_.environment) {
+    const glm::dvec3 radiance = reflected_radiance(e);
+    put(0, pixel, radiance.x);
+    put(1, pixel, radiance.y);
+    put(2, pixel, radiance.z);
+    put(3, pixel, 1);
+    return;
+  }
+  int least = std::numeric_limits<int>::max();
+  int most = 0;
+  double mean = 0;
+  for (const auto& lobe : lobes(cavity_, e, [](double) { return 1.0; })) {
+    least = std::min(least, lobe.bounces);
+    most = std::max(most, lobe.bounces);
+    mean += lobe.weight * lobe.bounces;
+  }
+  put(0, pixel, mean);
+  put(1, pixel, least);
+  put(2, pixel, most);
+  put(3, pixel, 1);
+}
+
+template <class Put>
+void DiscMapper::put_spectra(std::span<const double> spectra, std::size_t pixels, const Put& put) const {
+  const std::size_t wavelengths = indices_.size();
+  std::size_t channel = 0;
+  const auto put_wavelengths = [&] {
+    for (std::size_t i = 0; i < wavelengths; ++i, ++channel)
+      for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+        put(channel, pixel, spectra[pixel * wavelengths + i]);
+  };
+  if (wavelengths == 1) put_wavelengths();
+  if (weights_) {
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+      const LinearRgb colour = to_linear_rgb(
+          weights_->colour(spectra.subspan(pixel * wavelengths, wavelengths)), request_.viewing.rgb);
+      put(0, pixel, colour.r);
+      put(1, pixel, colour.g);
+      put(2, pixel, colour.b);
+    }
+    channel = 3;
+  }
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) put(channel, pixel, 1);
+  ++channel;
+  if (wavelengths > 1 && request_.spectrum == Spectrum::written) put_wavelengths();
+}
+
+Planes DiscMapper::rows(int first_row, int rows, Planes planes) const {
+  const int size = request_.size;
+  const auto at = [size](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
+  };
+  planes.resize(channels_.size());
+  for (std::vector<float>& plane : planes) plane.resize(at(rows, 0));
+  // The groove is its own mirror image: the right half of a row tells the left half, unless the light
+  // differs.
+  const bool mirrored = !request_.environment;
+  const bool by_kernel = !request_.environment && request_.quantity != Quantity::bounces;
+  tbb::parallel_for(0, rows, [&](int row) {
+    Directions directions;
+    std::vector<int> columns;
+    for (int column = mirrored ? size / 2 : 0; column < size; ++column) {
+      if (const auto e = pixel_direction(column, first_row + row, size)) {
+        directions.push_back(*e);
+        columns.push_back(column);
+      }
+    }
+    for (std::vector<float>& plane : planes) std::fill_n(&plane[at(row, 0)], size, 0.0f);
+    const auto put = [&](std::size_t channel, std::size_t pixel, double value) {
+      float* const values = &planes[channel][at(row, 0)];
+      values[columns[pixel]] = static_cast<float>(value);
+      if (mirrored) values[size - 1 - columns[pixel]] = static_cast<float>(value);
+    };
+    if (by_kernel) {
+      put_spectra(spectra(directions), directions.size(), put);
+    } else {
+      for (std::size_t pixel = 0; pixel < directions.size(); ++pixel)
+        put_from_lobes(directions[pixel], pixel, put);
+    }
+  });
+  return planes;
+}
+
+ExrImage compute_map(const DiscMapper& mapper, Progress& progress) {
+  const int size = mapper.request().size;
+  ExrImage image{size, size, {}, mapper.attributes()};
+  for (const std::string& channel : mapper.channels()) image.channels.push_back({channel, {}});
+  Planes planes;
+  for (int row = 0; row < size; row += chunk_rows) {
+    const int rows = std::min(chunk_rows, size - row);
+    planes = mapper.rows(row, rows, std::move(planes));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      image.channels[i].plane.insert(image.channels[i].plane.end(), planes[i].begin(), planes[i].end());
+    progress.advance(static_cast<std::uint64_t>(rows));
+  }
+  return image;
+}
+
+ExrHeader map_header(const DiscMapper& mapper, const Storage& storage) {
+  const int size = mapper.request().size;
+  const bool rec2020 = mapper.coloured() && mapper.request().viewing.rgb == RgbSpace::rec2020;
+  return {size,
+          size,
+          mapper.channels(),
+          mapper.attributes(),
+          storage.number,
+          storage.compression,
+          rec2020 ? ExrPrimaries::rec2020 : ExrPrimaries::rec709};
+}
+
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+               Progress& progress) {
+  ExrWriter writer(file, map_header(mapper, storage));
+  const int size = mapper.request().size;
+  const auto rows_of_block = [&](int row) { return std::min(chunks * chunk_rows, size - row); };
+  const auto compute = [&](int row, Planes memory) {
+    return std::async(std::launch::async,
+                      [&mapper, row, rows = rows_of_block(row), memory = std::move(memory)]() mutable {
+                        return mapper.rows(row, rows, std::move(memory));
+                      });
+  };
+  std::future<Planes> computed = compute(0, {});
+  Planes planes;
+  for (int row = 0; row < size; row += rows_of_block(row)) {
+    const int rows = rows_of_block(row);
+    Planes written = std::exchange(planes, computed.get());
+    if (row + rows < size) computed = compute(row + rows, std::move(written));
+    writer.write_rows(rows, std::vector<std::span<const float>>(planes.begin(), planes.end()));
+    progress.advance(static_cast<std::uint64_t>(rows));
+  }
+  writer.finish();
+}
+
+}  // namespace vcavity::tools
