@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 include(CMakeFindDependencyMacro)
-find_dependency(glm)
+if(NOT TARGET glm::glm)
+  find_dependency(glm)
+endif()
 include(${CMAKE_CURRENT_LIST_DIR}/vcavity-targets.cmake)

@@ -14,7 +14,7 @@ endfunction()
 
 # The consumer prints the version and the white furnace, computed by the headers it found.
 function(expect_output program)
-  execute_process(COMMAND ${program} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${program}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
   if(NOT output STREQUAL "vcavity ${version}: a white groove reflects 1.000\n")
     message(FATAL_ERROR "${program} printed:\n${output}")
   endif()
@@ -32,15 +32,16 @@ run(${CMAKE_COMMAND} -S ${source} -B ${scratch}/vcavity -D CMAKE_CXX_COMPILER=${
     -D VCAVITY_BUILD_TOOLS=OFF -D VCAVITY_BUILD_TESTS=OFF -D VCAVITY_BUILD_EXAMPLES=OFF)
 run(${CMAKE_COMMAND} --install ${scratch}/vcavity --prefix ${prefix})
 # What follows must work without the place of installation that was configured, from wherever it is now.
-file(RENAME ${prefix} "${scratch}/moved prefix")
-set(prefix "${scratch}/moved prefix")
+file(RENAME ${prefix} "${scratch}/moved (prefix) $it & ü")
+set(prefix "${scratch}/moved (prefix) $it & ü")
 
-foreach(way find_package add_subdirectory FetchContent)
-  set(build ${scratch}/${way})
-  run(${CMAKE_COMMAND} -S ${consumer} -B ${build} -D CMAKE_CXX_COMPILER=${compiler} ${without_tools}
+# Of the names of folders nothing is asked.
+foreach(way find_package add_subdirectory FetchContent own_glm)
+  set(build "${scratch}/${way} (build) $it & ü")
+  run(${CMAKE_COMMAND} -S ${consumer} -B "${build}" -D CMAKE_CXX_COMPILER=${compiler} ${without_tools}
       -D way=${way} -D "CMAKE_PREFIX_PATH=${prefix}" -D vcavity_source=${source} -D wanted=${version})
-  run(${CMAKE_COMMAND} --build ${build})
-  expect_output(${build}/consumer)
+  run(${CMAKE_COMMAND} --build "${build}")
+  expect_output("${build}/consumer")
 endforeach()
 
 # A version that is not there is refused.
