@@ -19,6 +19,7 @@
 #include "vcavity/conventions.hpp"
 // facet/: one bounce.
 #include "vcavity/facet/facet.hpp"
+#include "vcavity/facet/interface.hpp"
 #include "vcavity/facet/fresnel.hpp"
 #include "vcavity/facet/energy_balance.hpp"
 // groove/: what the groove makes of it, for one ray and for one direction.

@@ -181,13 +181,6 @@ inline double rounding_bound(const Cavity<double>& cavity, const Complex<double>
   return at_most(few * cavity.max_bounces() * (smooth + critical), 1.0);
 }
 
-inline Complex<double> complex_contrast(const Complex<double>& contrast) {
-  return contrast;
-}
-inline Complex<double> complex_contrast(double contrast) {
-  return {contrast, 0};
-}
-
 }  // namespace detail
 
 /// Bound on the absolute rounding error of a directional reflectance or absorptance, in any direction and any
@@ -197,7 +190,7 @@ inline Complex<double> complex_contrast(double contrast) {
 /// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
 template <class Real, class Facet>
 double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
-  return detail::rounding_bound(cavity, detail::complex_contrast(facet.contrast()),
+  return detail::rounding_bound(cavity, detail::as_complex(facet.contrast()),
                                 static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
