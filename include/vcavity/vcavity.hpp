@@ -43,6 +43,16 @@
 #include "vcavity/render/von_mises_fisher.hpp"
 #include "vcavity/render/spread_bsdf.hpp"
 #include "vcavity/render/projection.hpp"
+// rough/: distributions of grooves.
+#include "vcavity/rough/slope_distribution.hpp"
+#include "vcavity/rough/elliptic_slopes.hpp"
+#include "vcavity/rough/axial_von_mises.hpp"
+#include "vcavity/rough/brushed_slopes.hpp"
+#include "vcavity/rough/tabulated_slopes.hpp"
+#include "vcavity/rough/mixed_slopes.hpp"
+#include "vcavity/rough/connecting_grooves.hpp"
+#include "vcavity/rough/drawn_ray.hpp"
+#include "vcavity/rough/rough_bsdf.hpp"
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"
 // clang-format on

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// A ray in a groove of a rough surface, from where it comes to where it goes.
+
+#include <cmath>
+#include <limits>
+
+#include "vcavity/conventions.hpp"
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/rough/connecting_grooves.hpp"
+
+namespace vcavity {
+
+/// The way of one ray; in the terms of connecting_grooves.hpp, of which it is the reverse: groove and ray are given,
+/// where the ray leads to is asked for.
+template <class Real>
+class DrawnRay {
+ public:
+  /// @param e unit vector towards the light, e.z ≥ 0
+  /// @param m unit normal of panel one, m.z ≥ 0
+  /// @param u in [0, 1]: where the ray meets the opening, from the side of panel one to that of panel two
+  DrawnRay(const Vec3<Real>& e, const Vec3<Real>& m, const Real& u) {
+    using std::abs;
+    using std::atan2;
+    using std::cos;
+    using std::floor;
+    using std::sin;
+    using std::sqrt;
+    const Real cos_half = sqrt(m.x * m.x + m.y * m.y);
+    const Real sin_half = at_least(m.z, smallest_divisor<Real>());
+    const Real aperture = Real(2) * Real(atan2(sin_half, cos_half));
+    const Vec2<Real> y_axis =
+        cos_half > Real(0) ? Vec2<Real>{m.x / cos_half, m.y / cos_half} : Vec2<Real>{Real(0), Real(1)};
+    const Real along = e.x * y_axis.y - e.y * y_axis.x;
+    const Real across = e.x * y_axis.x + e.y * y_axis.y;
+    const Real up = at_least(e.z, smallest_divisor<Real>());
+
+    // The ray passes the apex at the distance |δ|·√(across² + up²), on the side of the panel that it meets first.
+    const Real aside = (Real(2) * u - Real(1)) * sin_half * up;
+    const Panel first = aside < cos_half * across ? Panel::one : Panel::two;
+    const Real over_first = first == Panel::one ? across : Real(-across);
+    const Real size = largest(across) < up ? up : largest(across);
+    const Real cos_eta = size * Real(sqrt((across / size) * (across / size) + (up / size) * (up / size)));
+    // 1 − |δ|, without the difference.
+    const Real versine_half = sin_half * (sin_half / (Real(1) + cos_half));
+    const Real beyond =
+        over_first > Real(0) ? Real(up * (up / (cos_eta + over_first))) : Real(cos_eta - over_first);
+    const Real rest = at_most(
+        at_least(Real((beyond + versine_half * over_first + (first == Panel::one ? aside : Real(-aside))) /
+                      cos_eta),
+                 Real(0)),
+        Real(1));
+    const Real elevation = atan2(up, over_first);
+    const Real swept = elevation + Real(atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest));
+    const Real count = at_least(Real(floor(swept / aperture + Real(0.5))), Real(1));
+    constexpr int most = std::numeric_limits<int>::max() / 2;
+    const int bounces = count < Real(most) ? static_cast<int>(count) : most;
+
+    const Real leaving = count * aperture - elevation;
+    const bool is_mirrored = (first == Panel::one) != (bounces % 2 == 1);
+    const Real to_side = cos_eta * Real(cos(leaving));
+    const Real to_y = is_mirrored ? Real(-to_side) : to_side;
+    leaving_ = {to_y * y_axis.x - along * y_axis.y, to_y * y_axis.y + along * y_axis.x,
+                at_least(Real(cos_eta * Real(sin(leaving))), Real(0))};
+
+    // The ray is one of a beam, so that has a width, whatever is left of it by rounding.
+    const Real x = Real(0.5) * (aperture - Real(abs(leaving - elevation)));
+    const Real beta = Real(0.5) * (pi<Real>() - count * aperture);
+    const Real beam = x < beta ? Real(Real(2) * Real(cos(beta)) * Real(sin(x))) : Real(sin(x + beta));
+    groove_ = {first, bounces, cos_half, sin_half, at_least(beam, std::numeric_limits<Real>::epsilon())};
+  }
+
+  /// Groove and way of the ray; the normal m is that of panel one.
+  const ConnectingGroove<Real>& groove() const { return groove_; }
+
+  /// The direction in which the ray leaves, a unit vector in the frame of the surface, z ≥ 0.
+  const Vec3<Real>& leaving() const { return leaving_; }
+
+ private:
+  ConnectingGroove<Real> groove_;
+  Vec3<Real> leaving_;
+};
+
+}  // namespace vcavity

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Elliptic distributions of slopes, GGX and Beckmann: those of renderers, isotropic or with a roughness along
+/// either axis.
+///
+/// Both are functions of one stretched slope, q = (s_x/a_x)² + (s_y/a_y)²:
+///
+///     GGX        D(m) = 1/(π a_x a_y cos⁴θ_m (1 + q)²)      (Walter et al. 2007, Eq. 33)
+///     Beckmann   D(m) = exp(−q)/(π a_x a_y cos⁴θ_m)         (Walter et al. 2007, Eq. 25)
+///
+/// stretched along the axes as in Heitz 2014, so that a normal is drawn by drawing q, whose distribution is q/(1 + q) or 1 − exp(−q), and a stretched azimuth.
+///
+/// References: Walter, Marschner, Li and Torrance, "Microfacet models for refraction through rough surfaces", EGSR
+/// 2007; Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", JCGT 2014.
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/rough/slope_distribution.hpp"
+
+namespace vcavity {
+
+namespace detail {
+
+/// Throws std::invalid_argument unless a roughness is in range.
+template <class Real>
+void require_roughness(const Real& roughness) {
+  if (!(roughness >= Real(smallest_roughness) && roughness <= Real(largest_roughness))) {
+    std::ostringstream message;
+    message << "a roughness must lie in [" << smallest_roughness << ", " << largest_roughness << "], not be "
+            << roughness;
+    throw std::invalid_argument(message.str());
+  }
+}
+
+/// The unit vector along (x, y, z), of any length but 0.
+template <class Real>
+Vec3<Real> unit_vector(const Real& x, const Real& y, const Real& z) {
+  using std::sqrt;
+  const Real inverse = Real(1) / Real(sqrt(x * x + y * y + z * z));
+  return {x * inverse, y * inverse, z * inverse};
+}
+
+/// What GGX and Beckmann have in common: two roughnesses.
+template <class Real>
+class EllipticSlopes {
+ public:
+  using value_type = Real;
+
+  /// The roughness along x, that is, of the slopes ∂z/∂x.
+  const Real& roughness_x() const { return roughness_x_; }
+
+  /// The roughness along y.
+  const Real& roughness_y() const { return roughness_y_; }
+
+ protected:
+  EllipticSlopes(const Real& roughness_x, const Real& roughness_y)
+      : roughness_x_(roughness_x), roughness_y_(roughness_y) {
+    require_roughness(roughness_x);
+    require_roughness(roughness_y);
+    inverse_x2_ = Real(1) / (roughness_x * roughness_x);
+    inverse_y2_ = Real(1) / (roughness_y * roughness_y);
+    peak_ = Real(1) / (pi<Real>() * roughness_x * roughness_y);
+  }
+
+  /// D(z) = 1/(π a_x a_y)
+  const Real& peak() const { return peak_; }
+
+  /// q cos²θ_m
+  Real stretched(const Vec3<Real>& m) const { return m.x * m.x * inverse_x2_ + m.y * m.y * inverse_y2_; }
+
+  /// The unit vector of the slope `size`·(a_x cos φ, a_y sin φ)/`up`.
+  Vec3<Real> normal(const Real& size, const Real& up, const Real& u_azimuth) const {
+    using std::cos;
+    using std::sin;
+    const Real azimuth = Real(2) * pi<Real>() * u_azimuth;
+    return unit_vector(Real(roughness_x_ * size * cos(azimuth)), Real(roughness_y_ * size * sin(azimuth)),
+                       up);
+  }
+
+ private:
+  Real roughness_x_, roughness_y_;
+  Real inverse_x2_, inverse_y2_;
+  Real peak_;
+};
+
+}  // namespace detail
+
+/// GGX, also known as Trowbridge–Reitz: few steep facets, but more than any other.
+template <class Real>
+class GgxSlopes : public detail::EllipticSlopes<Real> {
+ public:
+  /// @param roughness the same in all directions, in [1e-6, 1e3]; renderers call it α
+  /// @throws std::invalid_argument when it is out of range or not a number
+  explicit GgxSlopes(const Real& roughness) : GgxSlopes(roughness, roughness) {}
+
+  /// @param roughness_x, roughness_y along x and along y, in [1e-6, 1e3]
+  /// @throws std::invalid_argument when one is out of range or not a number
+  GgxSlopes(const Real& roughness_x, const Real& roughness_y)
+      : detail::EllipticSlopes<Real>(roughness_x, roughness_y) {}
+
+  /// D(m), per steradian.
+  /// @param m unit vector, m.z ≥ 0
+  Real density(const Vec3<Real>& m) const {
+    const Real spread = this->stretched(m) + m.z * m.z;
+    return this->peak() / (spread * spread);
+  }
+
+  /// A normal of the density D(m) cos θ_m.
+  /// @param u two random numbers, uniform in [0, 1]: of the slope and of the azimuth
+  /// @return unit vector, z ≥ 0
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::sqrt;
+    return this->normal(sqrt(u.x), sqrt(Real(1) - u.x), u.y);
+  }
+};
+
+/// Beckmann: normally distributed slopes, hardly any much steeper than the roughness.
+template <class Real>
+class BeckmannSlopes : public detail::EllipticSlopes<Real> {
+ public:
+  /// @param roughness the same in all directions, in [1e-6, 1e3]: √2 times the standard deviation of a slope
+  /// @throws std::invalid_argument when it is out of range or not a number
+  explicit BeckmannSlopes(const Real& roughness) : BeckmannSlopes(roughness, roughness) {}
+
+  /// @param roughness_x, roughness_y along x and along y, in [1e-6, 1e3]
+  /// @throws std::invalid_argument when one is out of range or not a number
+  BeckmannSlopes(const Real& roughness_x, const Real& roughness_y)
+      : detail::EllipticSlopes<Real>(roughness_x, roughness_y) {}
+
+  /// D(m), per steradian.
+  /// @param m unit vector, m.z ≥ 0
+  Real density(const Vec3<Real>& m) const {
+    using std::exp;
+    // Divided twice, because the fourth power of a small cosine vanishes.
+    const Real cosine2 = at_least(Real(m.z * m.z), std::numeric_limits<Real>::min());
+    return Real(exp(-this->stretched(m) / cosine2)) * this->peak() / cosine2 / cosine2;
+  }
+
+  /// A normal of the density D(m) cos θ_m.
+  /// @param u two random numbers, uniform in [0, 1]: of the slope and of the azimuth
+  /// @return unit vector, z > 0
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::log;
+    using std::sqrt;
+    const Real rest = at_least(Real(Real(1) - u.x), std::numeric_limits<Real>::min());
+    return this->normal(sqrt(-log(rest)), Real(1), u.y);
+  }
+};
+
+}  // namespace vcavity

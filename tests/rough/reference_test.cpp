@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Reference cases in 40 digits, whose terms were found by root finding on explicit three-dimensional reflections
+/// and weighed by bisection on traced rays.
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vcavity/facet/fresnel.hpp>
+#include <vcavity/rough/brushed_slopes.hpp>
+#include <vcavity/rough/rough_bsdf.hpp>
+
+#include "support/catch.hpp"
+
+using namespace vcavity;
+
+namespace {
+
+const nlohmann::json& cases() {
+  static const nlohmann::json data =
+      nlohmann::json::parse(std::ifstream(VCAVITY_TEST_DATA "/distribution_reference.json"));
+  return data["cases"];
+}
+
+double number(const nlohmann::json& text) {
+  return std::stod(text.get<std::string>());
+}
+
+Vec3<double> vector_of(const nlohmann::json& row) {
+  return {number(row[0]), number(row[1]), number(row[2])};
+}
+
+/// Calls `use` with the distribution of a case.
+template <class Use>
+void with_distribution(const nlohmann::json& row, Use&& use) {
+  const nlohmann::json& distribution = row["distribution"];
+  const std::string kind = distribution["kind"];
+  if (kind == "ggx") {
+    use(GgxSlopes<double>(distribution["ax"], distribution["ay"]));
+  } else if (kind == "beckmann") {
+    use(BeckmannSlopes<double>(distribution["ax"], distribution["ay"]));
+  } else {
+    REQUIRE(kind == "brushed");
+    use(BrushedSlopes(BeckmannSlopes<double>(distribution["a"].get<double>()),
+                      distribution["kappa"].get<double>()));
+  }
+}
+
+/// Calls `use` with every facet of the cases and its name there.
+template <class Use>
+void with_facets(Use&& use) {
+  use("rho=1", [](double) { return 1.0; });
+  use("rho=0.5", [](double) { return 0.5; });
+  use("n=0.2+3i", Conductor<double>(0.2, 3));
+  use("n=1.5", Dielectric<double>(1.5));
+}
+
+/// The largest relative error of the formulas here is 2e-13.
+constexpr double tolerance = 1e-12;
+
+}  // namespace
+
+TEST_CASE("the BRDF of rough surfaces agrees with 40 digits, in total and for every number of bounces") {
+  REQUIRE(cases().size() == 21);
+  int compared = 0;
+  for (const auto& row : cases()) {
+    CAPTURE(row["name"].get<std::string>());
+    const Vec3<double> e = vector_of(row["e"]), o = vector_of(row["o"]);
+    with_distribution(row, [&](const auto& distribution) {
+      with_facets([&](const char* name, const auto& facet) {
+        CAPTURE(name);
+        const RoughGrooveBsdf bsdf(distribution, facet, 200);
+        const auto& expected = row["f_cos_o"][name];
+        CHECK(bsdf.evaluate(e, o) == Approx(number(expected["total_of_at_most_200"])).epsilon(tolerance));
+        for (int bounces = 1; bounces <= 12; ++bounces) {
+          const auto by_bounces = expected["by_bounces"].find(std::to_string(bounces));
+          const double value = by_bounces == expected["by_bounces"].end() ? 0 : number(*by_bounces);
+          CAPTURE(bounces);
+          CHECK(bsdf.evaluate_bounces(e, o, bounces) == Approx(value).epsilon(tolerance));
+          ++compared;
+        }
+      });
+    });
+  }
+  CHECK(compared == 21 * 4 * 12);
+}
+
+TEST_CASE("grooves, apertures and panels of a pair of directions agree with 40 digits") {
+  for (const auto& row : cases()) {
+    CAPTURE(row["name"].get<std::string>());
+    const ConnectingGrooves<double> grooves(vector_of(row["e"]), vector_of(row["o"]));
+    const double azimuth = radians(number(row["psi_deg"]));
+    const Vec2<double> across{std::cos(azimuth), std::sin(azimuth)};
+    CHECK(std::abs(grooves.across().x - across.x) < 1e-12);
+    CHECK(std::abs(grooves.across().y - across.y) < 1e-12);
+    const auto& terms = row["terms"];
+    int most = 0;
+    for (const auto& term : terms) most = std::max(most, term["bounces"].get<int>());
+    std::size_t found = 0;
+    grooves.for_each(most, [&](const ConnectingGroove<double>& groove) {
+      const auto term = std::find_if(terms.begin(), terms.end(), [&](const auto& t) {
+        return t["bounces"].template get<int>() == groove.bounces &&
+               t["first_panel"].template get<int>() == static_cast<int>(groove.first_panel);
+      });
+      REQUIRE(term != terms.end());
+      ++found;
+      CHECK(2 * degrees(std::atan2(groove.sin_half, groove.cos_half)) ==
+            Approx(number((*term)["aperture_deg"])).epsilon(tolerance));
+      with_distribution(row, [&](const auto& distribution) {
+        CHECK(grooves.density(groove, distribution.density(grooves.normal(groove))) ==
+              Approx(number((*term)["white_f_cos_o"])).epsilon(tolerance));
+      });
+    });
+    CHECK(found == terms.size());
+  }
+}
