@@ -106,6 +106,21 @@ CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector
       help + "; a list A,B,C or a range LOW:HIGH:STEP");
 }
 
+CLI::Option* add_direction(CLI::App& command, const std::string& name, std::vector<double>& theta_phi_deg,
+                           const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&theta_phi_deg, name](const std::string& words) {
+            const auto parts = split(words, ',');
+            if (parts.size() != 2) throw unexpected(name, words, "two angles THETA,PHI");
+            theta_phi_deg = {checked_number(parts[0], name, theta_range_deg),
+                             checked_number(parts[1], name, azimuth_range_deg)};
+          },
+          help + "; THETA,PHI in degrees")
+      ->type_name("THETA,PHI");
+}
+
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
                        const std::string& help) {
   return command.add_option_function<std::string>(
@@ -144,8 +159,7 @@ void add_aperture(CLI::App& command, double& aperture_deg) {
 void add_apertures(CLI::App& command, std::vector<double>& apertures_deg) {
   add_numbers(command, "--aperture", apertures_deg, aperture_range_deg,
               "angles between the panels in degrees, above 0 to 180")
-      ->type_name("DEG[,DEG...]")
-      ->required();
+      ->type_name("DEG[,DEG...]");
 }
 
 void add_wavelength(CLI::App& command, double& wavelength_nm) {
@@ -183,8 +197,7 @@ void add_materials(CLI::App& command, std::vector<std::string>& specifications) 
       .add_option("--material", specifications, material_help + "; several separated by commas, or repeat it")
       ->type_name(materials_placeholder)
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required();
+      ->allow_extra_args(false);
 }
 
 void add_polarization(CLI::App& command, Polarization& model) {

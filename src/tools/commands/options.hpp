@@ -12,6 +12,7 @@
 
 #include "tools/materials/facet.hpp"
 #include "tools/support/error.hpp"
+#include "tools/support/report.hpp"
 
 namespace vcavity::tools {
 
@@ -24,6 +25,7 @@ struct Interval {
 
 inline constexpr Interval aperture_range_deg{0, 180, Interval::Ends::open_low};
 inline constexpr Interval theta_range_deg{0, 90};
+inline constexpr Interval azimuth_range_deg{-360, 360};
 inline constexpr Interval wavelength_range_nm{1, 1e7};
 inline constexpr int largest_map = 32768;  ///< pixels along one side
 
@@ -55,6 +57,10 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, std::optiona
 /// Adds an option with a list of numbers in an interval, see checked_numbers(), that replaces `values`.
 CLI::Option* add_numbers(CLI::App& command, const std::string& name, std::vector<double>& values,
                          const Interval& interval, const std::string& help);
+
+/// Adds an option with a direction on the hemisphere, `THETA,PHI` in degrees, that replaces `theta_phi_deg`.
+CLI::Option* add_direction(CLI::App& command, const std::string& name, std::vector<double>& theta_phi_deg,
+                           const std::string& help);
 
 /// Adds an option with a whole number in [low, high].
 CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, int low, int high,
@@ -103,9 +109,6 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& valu
           help)
       ->type_name(words);
 }
-
-/// How a command prints its results.
-enum class Format { md, csv, json };
 
 /// Adds --format.
 void add_format(CLI::App& command, Format& format);

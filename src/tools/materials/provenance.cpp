@@ -2,6 +2,7 @@
 #include "tools/materials/provenance.hpp"
 
 #include <filesystem>
+#include <set>
 #include <vcavity/version.hpp>
 
 namespace vcavity::tools {
@@ -46,6 +47,25 @@ std::string software() {
 std::string in_one_line(const Material& material) {
   if (material.constant()) return "index " + material.name();
   return material.name() + ": " + material.reference();
+}
+
+void tell_origin(Report& report, const std::vector<Material>& materials) {
+  report.provenance = {software(), "command: " + command_line()};
+  nlohmann::ordered_json names, sources;
+  std::set<std::string> known;
+  for (const Material& material : materials) {
+    if (!known.insert(material.name() + material.file().string()).second) continue;
+    names.push_back(material.name());
+    sources.push_back(material.reference());
+    report.provenance.push_back("material: " + in_one_line(material));
+    report.notes.push_back(in_one_line(material));
+  }
+  if (names.size() == 1) {
+    names = names.front();
+    sources = sources.front();
+  }
+  if (!names.is_null()) report.head.update({{"material", names}, {"source", sources}});
+  report.head.update({{"software", software()}, {"command", command_line()}});
 }
 
 std::vector<std::string> provenance_lines(const Material& material) {

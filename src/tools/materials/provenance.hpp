@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/materials/material.hpp"
+#include "tools/support/report.hpp"
 
 namespace vcavity::tools {
 
@@ -21,6 +22,9 @@ std::string software();
 
 /// Material and source in one line, such as "Cu-Johnson: P. B. Johnson and R. W. Christy, ...".
 std::string in_one_line(const Material& material);
+
+/// Says in a report what it is computed from and by which command; each material once.
+void tell_origin(Report& report, const std::vector<Material>& materials);
 
 /// The lines with which every CSV starts.
 std::vector<std::string> provenance_lines(const Material& material);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/commands/surface_options.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "tools/commands/options.hpp"
+#include "tools/materials/catalogue.hpp"
+#include "tools/support/error.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+/// Each of the surfaces with each of the values of an option, all values of the first surface first.
+/// @param values empty if the option was not given: the surfaces stay as they are then
+/// @param set writes a value into a description
+template <class Value, class Set>
+void vary(std::vector<SurfaceDescription>& surfaces, const std::vector<Value>& values, const Set& set) {
+  if (values.empty()) return;
+  std::vector<SurfaceDescription> varied;
+  for (const SurfaceDescription& surface : surfaces)
+    for (const Value& value : values) {
+      varied.push_back(surface);
+      set(varied.back(), value);
+    }
+  surfaces = std::move(varied);
+}
+
+void check(const SurfaceOptions& options) {
+  if (options.materials.empty()) throw UsageError("--material is required");
+  if (options.apertures_deg.empty()) throw UsageError("--aperture is required");
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& command, SurfaceOptions& options) {
+  add_materials(command, options.materials);
+  add_apertures(command, options.apertures_deg);
+}
+
+std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
+  check(options);
+  std::vector<SurfaceDescription> surfaces;
+  for (const std::string& name : options.materials) surfaces.push_back({load_material(name), 180});
+  vary(surfaces, options.apertures_deg,
+       [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
+  return surfaces;
+}
+
+std::vector<SurfaceAtWavelength> surfaces_at(const SurfaceOptions& options,
+                                             const std::vector<double>& wavelengths_nm) {
+  const std::vector<SurfaceDescription> surfaces = surfaces_of(options);
+  const std::size_t shapes = surfaces.size() / std::max<std::size_t>(1, options.materials.size());
+  std::vector<SurfaceAtWavelength> result;
+  for (auto first = surfaces.begin(); first != surfaces.end(); first += static_cast<std::ptrdiff_t>(shapes))
+    for (const double wavelength_nm : wavelengths_nm)
+      for (auto shape = first; shape != first + static_cast<std::ptrdiff_t>(shapes); ++shape)
+        result.push_back({*shape, wavelength_nm});
+  return result;
+}
+
+}  // namespace vcavity::tools

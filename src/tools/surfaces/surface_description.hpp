@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// What a surface is made of and how it is shaped, before a wavelength is chosen; and the surface itself.
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/materials/facet.hpp"
+#include "tools/materials/material.hpp"
+#include "tools/surfaces/surface.hpp"
+
+namespace vcavity::tools {
+
+/// A surface in the words of the command line. Members are those of one shape and finish; what an option that was not
+/// given would set stays at its default.
+struct SurfaceDescription {
+  Material material;
+  double aperture_deg;  ///< angle between the panels in degrees, (0, 180]
+};
+
+/// How light is followed.
+struct LightModel {
+  Polarization polarization;
+  int max_bounces;  ///< light that needs more bounces is left out
+};
+
+/// What distinguishes a surface from others, as a JSON object in the order of the columns of a table: `material`,
+/// `aperture_deg`, and only where they were asked for the rest.
+nlohmann::ordered_json fields_of(const SurfaceDescription& surface);
+
+/// The shape and finish for people, without the material: "aperture 45°".
+std::string in_words(const SurfaceDescription& surface);
+
+/// Material, shape and finish as part of a file name: "Cu-Johnson_45deg".
+std::string file_stem(const SurfaceDescription& surface);
+
+/// The materials that a surface is made of, for provenance.
+std::vector<Material> materials_of(const SurfaceDescription& surface);
+
+/// Whether a surface is a bare symmetric groove, for which maps have a fast kernel.
+bool is_bare_symmetric_groove(const SurfaceDescription& surface);
+
+/// The surface at a wavelength. Here the shape, the facet and the model of polarisation are chosen.
+/// @param wavelength_nm vacuum wavelength
+/// @throws UsageError where a material has no data at the wavelength, or a shape cannot be made
+std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,
+                                            const LightModel& light);
+
+}  // namespace vcavity::tools
