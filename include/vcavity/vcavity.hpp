@@ -11,6 +11,7 @@
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
@@ -21,6 +22,7 @@
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/interface.hpp"
 #include "vcavity/facet/fresnel.hpp"
+#include "vcavity/facet/coated.hpp"
 #include "vcavity/facet/energy_balance.hpp"
 // groove/: what the groove makes of it, for one ray and for one direction.
 #include "vcavity/groove/cavity.hpp"

@@ -21,6 +21,19 @@ Wide rest_of_one(const Wide& reflectance) {
   return std::is_same_v<Wide, Digits50> ? Wide(0) : std::numeric_limits<Wide>::quiet_NaN();
 }
 
+/// The square root with a real and an imaginary part that are not negative, of a number with Im z ≥ 0.
+template <class Wide>
+Complex<Wide> principal_root(const Complex<Wide>& z) {
+  using std::abs;
+  using std::sqrt;
+  const Wide modulus = sqrt(Wide(norm(z)));
+  if (modulus == 0) return {Wide(0), Wide(0)};
+  // The half with the larger modulus by the half-angle formula, the other by the product.
+  const Wide larger = sqrt(Wide((modulus + abs(z.re)) / 2));
+  const Wide smaller = z.im / (2 * larger);
+  return z.re >= 0 ? Complex<Wide>{larger, smaller} : Complex<Wide>{smaller, larger};
+}
+
 /// Amplitudes of the reflected field.
 /// Born & Wolf, "Principles of Optics", 7th ed., §1.5.2, Eq. (21), with a complex index (§14.2).
 template <class Wide>
@@ -44,18 +57,6 @@ struct TextbookFresnel {
   }
 
   Wide reflectance() const { return (norm(r_s) + norm(r_p)) / 2; }
-
- private:
-  static Complex<Wide> principal_root(const Complex<Wide>& z) {
-    using std::abs;
-    using std::sqrt;
-    const Wide modulus = sqrt(Wide(norm(z)));
-    if (modulus == 0) return {Wide(0), Wide(0)};
-    // The half with the larger modulus by the half-angle formula, the other by the product.
-    const Wide larger = sqrt(Wide((modulus + abs(z.re)) / 2));
-    const Wide smaller = z.im / (2 * larger);
-    return z.re >= 0 ? Complex<Wide>{larger, smaller} : Complex<Wide>{smaller, larger};
-  }
 };
 
 }  // namespace vcavity::test

@@ -99,6 +99,9 @@ class FresnelInterface {
   /// (n + ik)² − 1
   const Contrast& contrast() const { return contrast_; }
 
+  /// Re (n + ik)²; where n is small, with digits that the contrast has lost.
+  const Value& permittivity() const { return permittivity_; }
+
  protected:
   FresnelInterface() = default;
   FresnelInterface(const Value& permittivity, const Contrast& contrast)

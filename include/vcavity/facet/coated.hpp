@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Thin films on a facet: any number of dielectric, absorbing or metal films on a substrate.
+///
+/// Method. Indices n_j (complex) are relative to the incident medium, thicknesses d_j are in wavelengths of
+/// that medium. With c and s² as in fresnel.hpp, q_j the normal component of the wave vector in medium j, X =
+/// q for s and q/n² for p light, the stack seen from above has the admittance X = c + u/B. From the substrate
+/// up,
+///
+///     u = Δ/(X + c), B = 1,                       Δ = X² − c² = m for s, −(m/n²)(c² − s²/n²) for p light;
+///     u ← u (H − c G) + G Δ_j B,                  H = 1 + ½(e^w − 1), w = 4πi d_j q_j,
+///     B ← B (H + c G) + G u,                      G = −2πi d_j (e^w − 1)/w · (1 for s, n_j² for p light);
+///     r_s = −u/(u + 2cB), r_p = u/(u + 2cB),      1 − |r|² = 4c Re((u + cB) B*)/|u + 2cB|².
+///
+/// It is the recursion of the characteristic matrix (Abelès 1950; Born & Wolf, "Principles of Optics", 7th
+/// ed., §1.6), with the difference u of the admittance to that of the incident medium in place of the
+/// admittance, and with e^{w/2} taken out. So nothing overflows in thick or evanescent films, weak contrast
+/// keeps its digits, and a film of thickness 0 changes nothing, bit for bit.
+///
+/// A film that does not absorb passes on the flux Re((u + cB) B*) = Re X of what is below, times |e^w|. That
+/// product stands in for the sum wherever it applies: so the absorptance keeps its digits also where R is
+/// close to 1, and is 0 in total reflection. What a weakly absorbing film takes is known to ε of the flux
+/// that passes it.
+///
+/// The sign of r_p is the one that makes r_p = r_s at normal incidence; the phase is that at the top of the
+/// stack.
+///
+/// Range: |n + ik| of films and substrate between 1e-4 and 1e4, thickness up to 1e6 wavelengths; cosines as
+/// in interface.hpp.
+///
+/// Not for films so thick or rough that they reflect incoherently, for an absorbing incident medium, gain (k
+/// < 0) or anisotropic films.
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "vcavity/facet/fresnel.hpp"
+#include "vcavity/facet/interface.hpp"
+#include "vcavity/numbers/complex.hpp"
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/elementary.hpp"
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/pack.hpp"
+
+namespace vcavity {
+
+namespace detail {
+
+/// Throws std::invalid_argument unless every component of `a` is in [low, high].
+template <class Value>
+void require_range(const Value& a, const scalar_t<Value>& low, const scalar_t<Value>& high,
+                   const char* name) {
+  using Real = scalar_t<Value>;
+  for_each_component(a, [&](const Real& x) {
+    if (!(x >= low && x <= high)) {
+      std::ostringstream message;
+      message << name << " must lie in [" << low << ", " << high << "], not be " << x;
+      throw std::invalid_argument(message.str());
+    }
+  });
+}
+
+/// n² of an interface, whose contrast alone would lose digits where n is small.
+template <class Interface>
+auto squared_index(const Interface& interface) {
+  const auto m = as_complex(interface.contrast());
+  return decltype(m){interface.permittivity(), m.im};
+}
+
+/// 1/n² of a medium in a stack.
+/// @throws std::invalid_argument when |n + ik| is not in [1e-4, 1e4]: between such media no product
+/// overflows, see `keep_finite`
+template <class Value>
+Complex<Value> inverse_squared_index(const Complex<Value>& squared_index) {
+  using Real = scalar_t<Value>;
+  using std::sqrt;
+  const Value modulus = sqrt(sqrt(norm(squared_index)));
+  require_range(modulus, Real(1e-4L), Real(1e4L), "the refractive index |n + ik| in a stack of films");
+  return Complex<Value>{Value(1), Value(0)} / squared_index;
+}
+
+/// How light of one polarisation sees the part of a stack that is done: its admittance is c + u/B.
+template <class Value>
+struct StackedWave {
+  using Real = scalar_t<Value>;
+
+  Complex<Value> u;
+  Complex<Value> b;
+  Value flux;   ///< Re (u + cB)B*, but for the factor e^depth
+  Value depth;  ///< not positive
+  Value c;      ///< cosine of the angle of incidence
+
+  /// Adds a film on top.
+  /// @param h, g, g_delta H, G and G Δ
+  /// @param decay Re w ≤ 0
+  /// @param transparent not negative where the film does not absorb
+  VCAVITY_INLINE void add(const Complex<Value>& h, const Complex<Value>& g, const Complex<Value>& g_delta,
+                          const Value& decay, const Value& transparent) {
+    const Complex<Value> cg = c * g;
+    const Complex<Value> below = u;
+    u = below * (h - cg) + g_delta * b;
+    b = b * (h + cg) + g * below;
+    keep_finite();
+    const Value here = ((u + c * b) * conj(b)).re;
+    flux = select_nonnegative(transparent, flux, here);
+    depth = select_nonnegative(transparent, Value(depth + decay), Value(0));
+  }
+
+  /// u + 2cB
+  VCAVITY_INLINE Complex<Value> sum() const { return u + Real(2) * c * b; }
+
+  /// |r|²
+  VCAVITY_INLINE Value reflectance() const { return norm(u) / norm(sum()); }
+
+  /// 1 − |r|²
+  Value absorptance() const {
+    const Value rest = Real(4) * (c * flux) / norm(sum()) * exponential(depth);
+    return at_most(at_least(rest, Real(0)), Real(1));
+  }
+
+ private:
+  /// In mirrors of many films u and B grow without limit. The factor is a power of two: no digit changes.
+  VCAVITY_INLINE void keep_finite() {
+    using std::ldexp;
+    constexpr int doublings = std::numeric_limits<Real>::max_exponent / 4;
+    const Real large = ldexp(Real(1), 2 * doublings);
+    const Value factor(ldexp(Real(1), -doublings));
+    const Value scale = select_nonnegative(Value(Value(large) - norm(u) - norm(b)), Value(1), factor);
+    u = scale * u;
+    b = scale * b;
+    flux = scale * scale * flux;
+  }
+};
+
+/// s and p light in a stack.
+template <class Value>
+struct StackedWaves {
+  StackedWave<Value> s, p;
+};
+
+}  // namespace detail
+
+/// A homogeneous film of a stack.
+/// @tparam Value a number, or a `glm::vec` or `Pack` with one value per colour or wavelength
+template <class Value>
+class Film {
+ public:
+  using Real = scalar_t<Value>;
+
+  /// None: a film without thickness.
+  Film() : Film(Value(1), Value(0), Value(0)) {}
+
+  /// @param n real part of the refractive index relative to the incident medium, ≥ 0
+  /// @param k extinction coefficient, ≥ 0, |n + ik| in [1e-4, 1e4]
+  /// @param thickness in wavelengths of the incident medium, in [0, 1e6]
+  /// @throws std::invalid_argument when a component is out of range or not a number, naming it
+  Film(const Value& n, const Value& k, const Value& thickness) : Film(Conductor<Value>(n, k), thickness) {}
+
+  /// The same from n − 1, for indices so close to 1 that n itself cannot carry the difference.
+  static Film from_contrast(const Value& n_minus_1, const Value& k, const Value& thickness) {
+    return Film(Conductor<Value>::from_contrast(n_minus_1, k), thickness);
+  }
+
+  /// The same with lengths.
+  /// @param thickness_nm thickness, ≥ 0
+  /// @param wavelength_nm wavelength in the incident medium, > 0, one for each component
+  static Film of_thickness_nm(const Value& n, const Value& k, const Real& thickness_nm,
+                              const Value& wavelength_nm) {
+    constexpr Real most = std::numeric_limits<float>::max();
+    detail::require_range(thickness_nm, Real(0), most, "the thickness of a film in nm");
+    detail::require_range(wavelength_nm, Real(std::numeric_limits<float>::min()), most, "a wavelength in nm");
+    return Film(n, k, Value(thickness_nm) / wavelength_nm);
+  }
+
+  /// (n + ik)² − 1
+  const Complex<Value>& contrast() const { return contrast_; }
+
+  /// Whether there is anything of it, in some component.
+  bool present() const { return largest(thickness_) > Real(0); }
+
+  /// The same film for several directions at once.
+  template <std::size_t directions>
+  Film<Pack<Real, directions>> over_directions() const
+    requires Number<Value>
+  {
+    using Values = Pack<Real, directions>;
+    Film<Values> result;
+    result.squared_index_ = {Values(squared_index_.re), Values(squared_index_.im)};
+    result.contrast_ = {Values(contrast_.re), Values(contrast_.im)};
+    result.inverse_ = {Values(inverse_.re), Values(inverse_.im)};
+    result.thickness_ = Values(thickness_);
+    return result;
+  }
+
+  /// Puts the film on a stack; for `Coated`.
+  /// @param cos_theta_i cosine of the angle of incidence
+  /// @param waves the light in the stack below
+  template <class Cosine>
+  VCAVITY_INLINE void add_to(detail::StackedWaves<Value>& waves, const Cosine& cos_theta_i) const {
+    const detail::RefractedWave<Value> wave(squared_index_.re, contrast_, cos_theta_i);
+    // w = 4πi d q, and e^w − 1 from sines and cosines of half the angle: no cancellation.
+    const Value turn = Real(4) * pi<Real>() * thickness_;
+    const Complex<Value> w{-(turn * wave.w.im), turn * wave.w.re};
+    const Value half = Real(0.5) * w.im;
+    const Value sin_half = detail::sine(half), cos_half = detail::cosine(half);
+    const Value twice = Real(2) * (sin_half * sin_half);  // 1 − cos
+    const Value lost = detail::exponential_less_one(w.re);
+    const Complex<Value> change{lost * (Value(1) - twice) - twice,
+                                Real(2) * ((Value(1) + lost) * (sin_half * cos_half))};
+    // (e^w − 1)/w; it is 1 where w is too small to be divided by.
+    const Value w_norm = norm(w);
+    const Real smallest = detail::smallest_cosine<Real>() * detail::smallest_cosine<Real>();
+    const Value is_small = Value(smallest) - w_norm;
+    const Value inverse = Value(1) / at_least(w_norm, smallest);
+    const Complex<Value> ratio = inverse * (change * conj(w));
+    const Complex<Value> mean{select_nonnegative(is_small, Value(1), ratio.re),
+                              select_nonnegative(is_small, Value(0), ratio.im)};
+
+    const Value half_turn = Real(0.5) * turn;
+    const Complex<Value> h{Value(1) + Real(0.5) * change.re, Real(0.5) * change.im};
+    const Complex<Value> g{half_turn * mean.im, -(half_turn * mean.re)};
+    const Complex<Value> g_delta = g * contrast_;
+    const Value c2 = wave.c * wave.c;
+    const Complex<Value> bracket{wave.s2 * inverse_.re - c2, wave.s2 * inverse_.im};
+    const Value transparent = -contrast_.im;
+    waves.s.add(h, g, g_delta, w.re, transparent);
+    waves.p.add(h, g * squared_index_, g_delta * bracket, w.re, transparent);
+  }
+
+ private:
+  template <class Other>
+  friend class Film;
+
+  Film(const Conductor<Value>& medium, const Value& thickness)
+      : squared_index_(detail::squared_index(medium)),
+        contrast_(medium.contrast()),
+        inverse_(detail::inverse_squared_index(squared_index_)),
+        thickness_(thickness) {
+    detail::require_range(thickness, Real(0), Real(1e6L), "the thickness of a film in wavelengths");
+  }
+
+  Complex<Value> squared_index_;  // n²
+  Complex<Value> contrast_;       // n² − 1
+  Complex<Value> inverse_;        // 1/n²
+  Value thickness_;
+};
+
+/// A facet under thin films.
+///
+///     const Conductor<double> titanium(2.54, 3.43);
+///     const auto oxide = Film<double>::of_thickness_nm(2.4, 0.0, 60.0, 550.0);
+///     const Coated anodised(titanium, oxide);
+///
+/// @tparam Substrate what lies under the films: `Conductor` or `Dielectric`
+/// @tparam max_films how many films there is room for. The default is for films that are counted at run time:
+/// they are kept in a std::vector, allocated when the facet is made or copied.
+template <class Substrate, std::size_t max_films = std::dynamic_extent>
+class Coated {
+ public:
+  using Value = std::remove_cvref_t<decltype(std::declval<const Substrate&>().permittivity())>;
+  using Real = scalar_t<Value>;
+
+  /// @param substrate of an index relative to the incident medium, |n + ik| in [1e-4, 1e4]
+  /// @param films the top one first. Those without thickness are left out, and without any the facet is the
+  /// substrate, bit for bit
+  /// @throws std::invalid_argument when there is no room for so many films, or when the index of the
+  /// substrate is out of range
+  Coated(const Substrate& substrate, std::span<const Film<Value>> films)
+      : substrate_(substrate), inverse_(detail::inverse_squared_index(detail::squared_index(substrate))) {
+    for (const Film<Value>& film : films)
+      if (film.present()) add(film);
+  }
+
+  /// The same with a number of films that is known.
+  template <class... Films>
+    requires(sizeof...(Films) > 0 && (std::same_as<Films, Film<Value>> && ...))
+  explicit Coated(const Substrate& substrate, const Films&... films)
+      : Coated(substrate, std::array<Film<Value>, sizeof...(Films)>{films...}) {}
+
+  /// Reflectance of unpolarised light, (|r_s|² + |r_p|²)/2, in [0, 1].
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Value operator()(const Cosine& cos_theta_i) const {
+    if (count_ == 0) return substrate_(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    return at_most(Value(Real(0.5) * (waves.s.reflectance() + waves.p.reflectance())), Real(1));
+  }
+
+  /// What is not reflected of unpolarised light: absorbed in films and substrate, or refracted into a
+  /// transparent substrate. To full relative precision where no film absorbs weakly.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Value absorptance(const Cosine& cos_theta_i) const {
+    const Absorptances<Value> part = absorptances(cos_theta_i);
+    return Real(0.5) * (part.s + part.p);
+  }
+
+  /// The same for s and for p light.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Absorptances<Value> absorptances(const Cosine& cos_theta_i) const {
+    if (count_ == 0) return substrate_.absorptances(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    return {waves.s.absorptance(), waves.p.absorptance()};
+  }
+
+  /// Amplitudes r_s and r_p, with the phase at the top of the stack.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <CosineFor<Value> Cosine>
+  Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
+    if (count_ == 0) return substrate_.amplitudes(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    const Complex<Value> minus_u{-waves.s.u.re, -waves.s.u.im};
+    return {minus_u / waves.s.sum(), waves.p.u / waves.p.sum()};
+  }
+
+  /// That of the substrate: the field in a film depends on the square of q alone, and so has none of its own.
+  Value critical_cosine() const { return substrate_.critical_cosine(); }
+
+  /// The complex cosines at which the reflectance is singular whatever the films are, up to conjugation: the
+  /// branch points of the substrate. Quadrature wants to know them.
+  std::array<std::complex<double>, 2> singular_cosines() const
+    requires Number<Value>
+  {
+    const Complex<Value> m = detail::as_complex(substrate_.contrast());
+    const std::complex<double> branch =
+        std::sqrt(-std::complex<double>(static_cast<double>(m.re), static_cast<double>(m.im)));
+    return {branch, -branch};
+  }
+
+  /// The facet without films.
+  const Substrate& substrate() const { return substrate_; }
+
+  /// The same facet for several directions at once: it takes a `Pack` of cosines.
+  template <std::size_t directions>
+  auto over_directions() const
+    requires Number<Value>
+  {
+    const auto substrate = substrate_.template over_directions<directions>();
+    std::vector<Film<Pack<Real, directions>>> films;
+    for (const Film<Value>& film : this->films())
+      films.push_back(film.template over_directions<directions>());
+    return Coated<std::remove_cv_t<decltype(substrate)>, max_films>(substrate, films);
+  }
+
+ private:
+  std::span<const Film<Value>> films() const { return {films_.data(), count_}; }
+
+  void add(const Film<Value>& film) {
+    if constexpr (max_films == std::dynamic_extent) {
+      films_.push_back(film);
+    } else {
+      if (count_ == max_films)
+        throw std::invalid_argument("more films than there is room for, which is " +
+                                    std::to_string(max_films));
+      films_[count_] = film;
+    }
+    ++count_;
+  }
+
+  template <class Cosine>
+  detail::StackedWaves<Value> stacked(const Cosine& cos_theta_i) const {
+    const Complex<Value> m = detail::as_complex(substrate_.contrast());
+    const Complex<Value> squared_index = detail::squared_index(substrate_);
+    const detail::RefractedWave<Value> wave(squared_index.re, m, cos_theta_i);
+    const Complex<Value> c{wave.c, Value(0)}, one{Value(1), Value(0)};
+    const Complex<Value> bracket{wave.s2 * inverse_.re - wave.c * wave.c, wave.s2 * inverse_.im};
+    const Value flux_p = wave.w.re * (wave.w_norm + wave.s2) * norm(inverse_);
+    detail::StackedWaves<Value> waves{
+        {m / (c + wave.w), one, wave.w.re, Value(0), wave.c},
+        {m * bracket / (wave.c * squared_index + wave.w), one, flux_p, Value(0), wave.c}};
+    for (std::size_t i = count_; i-- > 0;) films_[i].add_to(waves, cos_theta_i);
+    return waves;
+  }
+
+  Substrate substrate_;
+  Complex<Value> inverse_;  // 1/n² of the substrate
+  std::conditional_t<max_films == std::dynamic_extent, std::vector<Film<Value>>,
+                     std::array<Film<Value>, max_films == std::dynamic_extent ? 1 : max_films>>
+      films_;
+  std::size_t count_ = 0;
+};
+
+template <class Substrate, class... Films>
+  requires(sizeof...(Films) > 0)
+Coated(const Substrate&, const Film<Films>&...) -> Coated<Substrate, sizeof...(Films)>;
+
+template <class Substrate, class Films>
+  requires requires(const Films& films) { films.size(); }
+Coated(const Substrate&, const Films&) -> Coated<Substrate>;
+
+}  // namespace vcavity
