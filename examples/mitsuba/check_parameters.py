@@ -2,21 +2,42 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that `vgroove` accepts what its documentation says and refuses the rest with a text that tells why."""
 
+import math
 import sys
 
 import mitsuba as mi
 
 ACCEPTED = [
+    {},
+    {"material": "none"},
+    {"k": 3.0},
     {"material": "Cu"},
+    {"material": "Cu", "tolerance": 0.01},
+    {"material": "Cu", "effects": "full", "max_bounces": 2},
+    {"material": "Cu", "effects": "paper"},
+    {"material": "Cu", "effects": "auto", "tolerance": 1e-6},
+    {"material": "Cu", "groove_axis": [0.0, 1.0, 1.0], "specular_reflectance": 0.5},
+    {"material": "Cu", "aperture": {"type": "checkerboard", "color0": 0.4, "color1": 0.9}, "tolerance": 0.01},
+    {"eta": {"type": "mesh_attribute", "name": "vertex_n"}, "k": 3.0, "tolerance": 0.01},
+    {"material": "Cu", "rotation": {"type": "mesh_attribute", "name": "vertex_angle"}, "tolerance": 0.01},
+    {"material": "Cu", "aperture": {"type": "mesh_attribute", "name": "vertex_aperture"}, "tolerance": 0.01},
     {"material": "Cu", "aperture": 180.0, "rotation": -30.0, "max_bounces": 1, "polarized": True, "lobe_width": 2.0},
     {"eta": 1.5},
     {"eta": {"type": "spectrum", "value": 0.2}, "k": {"type": "spectrum", "value": 3.9}, "max_bounces": -1},
 ]
 REFUSED = [
-    ({}, "give a material"),
     ({"material": "Cu", "eta": 1.5}, "either a material or eta and k"),
-    ({"material": "Cu", "aperture": 200.0}, "the aperture of a groove must lie in (0, π] radians"),
-    ({"material": "Cu", "aperture": 0.0}, "the aperture of a groove must lie in (0, π] radians"),
+    ({"material": "none", "aperture": 200.0}, "aperture must lie in (0, 180], not be 200"),
+    ({"material": "Cu", "aperture": 0.0}, "aperture must lie in (0, 180], not be 0"),
+    ({"material": "Cu", "aperture": math.nan}, "aperture must lie in (0, 180], not be nan"),
+    ({"aperture": {"type": "checkerboard", "color0": 0.0, "color1": 0.9}}, "aperture must lie in (0, 180], not be 0"),
+    ({"material": "Cu", "rotation": math.inf}, "rotation must lie in"),
+    ({"material": "Cu", "groove_axis": [0.0, 0.0, 0.0]}, "groove_axis must be a direction"),
+    ({"material": "Cu", "tolerance": 0.0}, "tolerance must be positive, not 0"),
+    ({"material": "Cu", "effects": "all"}, "effects must be full, paper or auto, not all"),
+    ({"material": "Cu", "effects": "full", "tolerance": 0.1}, "tolerance is for effects = auto, not full"),
+    ({"material": "Cu", "effects": "paper", "polarized": True}, "either effects or polarized"),
+    ({"material": "Cu", "tolerance": 0.1, "max_bounces": 2}, "either tolerance or max_bounces"),
     ({"material": "Cu", "max_bounces": 0}, "must be positive or -1, not 0"),
     ({"material": "Cu", "lobe_width": -1.0}, "the width of a lobe"),
     ({"material": "unobtainium"}, "unobtainium"),

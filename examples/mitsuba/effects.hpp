@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Which effects a material calls for, decided once, when the scene is loaded.
+
+#include <algorithm>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vcavity/vcavity.hpp>
+
+#include "spectra.hpp"
+
+namespace vgroove {
+
+/// What is followed through a groove, and what is left out.
+struct Effects {
+  bool polarization;
+  int max_bounces = vcavity::all_bounces;
+  bool double_precision = false;
+  vcavity::ErrorBounds bounds{0, 0, 0,
+                              0};  ///< on the radiance, for light of radiance 1; of what a plan leaves out
+};
+
+/// The cheapest effects whose reflectance, in any direction and at every given index and aperture, lies within a
+/// tolerance of the full physics.
+/// @param apertures in radians, at least one
+/// @param indices at least one
+/// @param polarized_light whether the renderer follows Stokes parameters, which need the fields whatever the tolerance
+inline Effects planned_effects(std::span<const double> apertures, std::span<const Index> indices,
+                               double tolerance, bool polarized_light) {
+  Effects effects{polarized_light, 1};
+  for (const double aperture : apertures) {
+    const vcavity::Cavity<double> cavity(aperture);
+    for (const Index& index : indices) {
+      const vcavity::Conductor<double> facet(index.n, index.k);
+      const auto plan = vcavity::plan_effects(cavity, facet, tolerance, vcavity::Illumination::collimated);
+      effects.polarization |= plan.polarization;
+      effects.max_bounces = std::max(effects.max_bounces, plan.most_bounces);
+      effects.double_precision |= !plan.single_precision;
+      effects.bounds.polarization = std::max(effects.bounds.polarization, plan.bounds.polarization);
+      effects.bounds.bounces = std::max(effects.bounds.bounces, plan.bounds.bounces);
+      effects.bounds.rounding = std::max(effects.bounds.rounding, plan.bounds.rounding);
+    }
+  }
+  if (effects.polarization) effects.bounds.polarization = 0;
+  if (effects.max_bounces == vcavity::all_bounces) effects.bounds.bounces = 0;
+  return effects;
+}
+
+/// What is followed, and a bound on what each omission costs, in words.
+inline std::string described(const Effects& effects) {
+  std::ostringstream text;
+  text.precision(2);
+  if (effects.polarization)
+    text << "polarisation followed";
+  else
+    text << "no polarisation (error below " << effects.bounds.polarization << ")";
+  if (effects.max_bounces == vcavity::all_bounces)
+    text << ", all bounces";
+  else
+    text << ", at most " << effects.max_bounces << (effects.max_bounces == 1 ? " bounce" : " bounces")
+         << " (error below " << effects.bounds.bounces << ")";
+  text << (effects.double_precision ? ", double" : ", single") << " precision";
+  if (effects.bounds.rounding > 0) text << " (error below " << effects.bounds.rounding << ")";
+  return text.str();
+}
+
+}  // namespace vgroove

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// What a scene says about a `vgroove`, checked when the scene is loaded.
+
+#include <mitsuba/core/plugin.h>
+#include <mitsuba/core/properties.h>
+#include <mitsuba/render/ior.h>
+#include <mitsuba/render/texture.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vcavity/vcavity.hpp>
+#include <vector>
+
+#include "effects.hpp"
+#include "spectra.hpp"
+
+NAMESPACE_BEGIN(mitsuba)
+
+/// Whether a texture's values belong to a mesh, which a BSDF does not know before rendering.
+template <class Texture>
+bool is_of_mesh(const Texture& texture) {
+  return texture.class_name() == "MeshAttribute";
+}
+
+/// Whether a texture is not the same everywhere. Those of a mesh do not say so themselves.
+template <class Texture>
+bool varies(const Texture& texture) {
+  return texture.is_spatially_varying() || is_of_mesh(texture);
+}
+
+/// A number that may vary over a surface.
+template <typename Float, typename Spectrum>
+class SurfaceNumber {
+ public:
+  MI_IMPORT_TYPES(Texture)
+
+  /// Where its values lie.
+  struct Range {
+    double low, high;
+  };
+
+  /// @param low,high what the values must lie between; `low` itself is refused if `open`
+  /// @throws std::runtime_error when a value lies elsewhere; of textures the texels are looked at, or as many
+  ///         points as a texture without texels has
+  SurfaceNumber(const Properties& props, const char* name, float fallback, Range allowed, bool open = false)
+      : texture_(props.get_texture<Texture>(name, fallback)), constant_(fallback) {
+    if (!varies()) {
+      constant_ = texture_->eval_1(dr::zeros<SurfaceInteraction3f>());
+      range_ = Range{constant_, constant_};
+    } else if (!is_of_mesh(*texture_)) {
+      range_ = range_of_texels();
+    }
+    if (range_)
+      for (const double x : {range_->low, range_->high})
+        if (!(x <= allowed.high && (open ? x > allowed.low : x >= allowed.low)))
+          Throw("vgroove: %s must lie in %s%g, %g], not be %g", name, open ? "(" : "[", allowed.low,
+                allowed.high, x);
+    constexpr double next_to_open = 0.01;  // what a mesh may give in place of a value out of range
+    smallest_ = static_cast<float>(range_ ? range_->low : open ? allowed.low + next_to_open : allowed.low);
+    largest_ = static_cast<float>(range_ ? range_->high : allowed.high);
+  }
+
+  /// Whether it is not the same everywhere.
+  bool varies() const { return mitsuba::varies(*texture_); }
+
+  /// The value of a number that does not vary.
+  float constant() const { return constant_; }
+
+  /// The value at a point.
+  float at(const SurfaceInteraction3f& si) const {
+    const float value = texture_->eval_1(si);
+    return value >= smallest_ ? std::min(value, largest_) : smallest_;
+  }
+
+  /// Nothing if it is not known before rendering.
+  const std::optional<Range>& range() const { return range_; }
+
+  const Texture* texture() const { return texture_.get(); }
+
+ private:
+  Range range_of_texels() const {
+    constexpr int fewest = 64, most = 1024;
+    const auto resolution = texture_->resolution();
+    const int columns = std::clamp(resolution.x(), fewest, most),
+              rows = std::clamp(resolution.y(), fewest, most);
+    Range range{HUGE_VAL, -HUGE_VAL};
+    SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        si.uv = Point2f((column + 0.5f) / columns, (row + 0.5f) / rows);
+        const double value = texture_->eval_1(si);
+        range = {std::min(range.low, value), std::max(range.high, value)};
+        if (std::isnan(value)) return {value, value};
+      }
+    }
+    return range;
+  }
+
+  ref<Texture> texture_;
+  std::optional<Range> range_;
+  float constant_;
+  float smallest_;
+  float largest_;
+};
+
+/// What a scene says about a groove.
+template <typename Float, typename Spectrum>
+class GrooveParameters {
+ public:
+  MI_IMPORT_TYPES(Texture)
+  using Number = SurfaceNumber<Float, Spectrum>;
+
+  /// @throws std::runtime_error when a parameter is out of range or contradicts another one
+  explicit GrooveParameters(const Properties& props)
+      : aperture(props, "aperture", 60.f, {0, 180}, true),
+        rotation(props, "rotation", 0.f, {-3600, 3600}),
+        tint(props.get_texture<Texture>("specular_reflectance", 1.f)),
+        lobe_width(vcavity::radians(props.get<float>("lobe_width", 0.f))) {
+    const std::string material = props.get<std::string>("material", "none");
+    if (material == "none") {
+      const bool dielectric = props.has_property("eta") && !props.has_property("k");
+      eta = props.get_unbounded_texture<Texture>("eta", 0.f);
+      k = props.get_unbounded_texture<Texture>("k", dielectric ? 0.f : 1.f);
+    } else {
+      if (props.has_property("eta") || props.has_property("k"))
+        Throw("vgroove: give either a material or eta and k");
+      eta = part_of_index(material + ".eta");
+      k = part_of_index(material + ".k");
+    }
+    tinted = props.has_property("specular_reflectance");
+    if (props.has_property("groove_axis")) {
+      const ScalarVector3f direction = props.get<ScalarVector3f>("groove_axis");
+      if (!(dr::squared_norm(direction) > 0))
+        Throw("vgroove: groove_axis must be a direction, not %s", direction);
+      axis = Vector3f(dr::normalize(direction));
+    }
+    if (lobe_width != 0) (void)vcavity::VonMisesFisher<float>(lobe_width);  // refuses what is no width
+    decide_effects(props);
+  }
+
+  /// Whether the grooves differ from point to point.
+  bool varies() const { return aperture.varies() || rotation.varies() || axis; }
+
+  Number aperture;  ///< degrees
+  Number rotation;  ///< degrees
+  std::optional<Vector3f> axis;
+  ref<Texture> eta, k, tint;
+  bool tinted;       ///< whether `tint` may differ from 1
+  float lobe_width;  ///< radians; 0 for mirror directions
+  vgroove::Effects effects{false};
+
+ private:
+  /// n or k of one of Mitsuba's materials. Transparent ones have k = 0 at all wavelengths, which `ior_from_file`, and so
+  /// `conductor`, refuses in spectral variants.
+  static ref<Texture> part_of_index(const std::string& name) {
+    const std::string path = "data/ior/" + name + ".spd";
+    std::vector<double> wavelengths, values;
+    spectrum_from_file(fs::path(path), wavelengths, values);
+    if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+      return ior_from_file<Spectrum, Texture>(path);
+    Properties zero("uniform");
+    zero.set("value", 0.0);
+    return PluginManager::instance()->create_object<Texture>(zero);
+  }
+
+  void decide_effects(const Properties& props) {
+    const int max_bounces = props.get<int>("max_bounces", -1);
+    if (max_bounces == 0 || max_bounces < -1)
+      Throw("vgroove: max_bounces must be positive or -1, not %d", max_bounces);
+    const bool with_tolerance = props.has_property("tolerance");
+    const double tolerance = props.get<double>("tolerance", 1e-3);
+    if (!(tolerance > 0)) Throw("vgroove: tolerance must be positive, not %g", tolerance);
+    const std::string asked = props.get<std::string>("effects", with_tolerance ? "auto" : "");
+    if (asked != "" && asked != "full" && asked != "paper" && asked != "auto")
+      Throw("vgroove: effects must be full, paper or auto, not %s", asked);
+    if (with_tolerance && asked != "auto") Throw("vgroove: tolerance is for effects = auto, not %s", asked);
+    if (asked != "" && props.has_property("polarized")) Throw("vgroove: give either effects or polarized");
+    if (asked == "auto" && props.has_property("max_bounces"))
+      Throw("vgroove: give either tolerance or max_bounces");
+
+    if (asked == "auto") {
+      plan(tolerance);
+      Log(Info, "vgroove: tolerance %g: %s", tolerance, vgroove::described(effects));
+      return;
+    }
+    effects.polarization =
+        asked == "" ? props.get<bool>("polarized", is_polarized_v<Spectrum>) : asked == "full";
+    if (max_bounces > 0) effects.max_bounces = max_bounces;
+  }
+
+  /// Over all apertures of the surface, and all colours or wavelengths that the variant may ask for.
+  void plan(double tolerance) {
+    const bool known = aperture.range() && !mitsuba::varies(*eta) && !mitsuba::varies(*k) &&
+                       !(tinted && mitsuba::varies(*tint));
+    if (!known || brightest_tint() > 1) {
+      Log(Info,
+          "vgroove: nothing is left out, because the index or the aperture varies in a way not known at "
+          "load");
+      effects.polarization = true;
+      return;
+    }
+    constexpr int steps = 8;
+    const auto [low, high] = *aperture.range();
+    std::vector<double> apertures{vcavity::radians(low)};
+    for (int i = 1; i <= steps && high > low; ++i)
+      apertures.push_back(vcavity::radians(low + (high - low) * i / steps));
+    effects = vgroove::planned_effects(apertures, indices(), tolerance, is_polarized_v<Spectrum>);
+  }
+
+  double brightest_tint() const {
+    if (!tinted) return 1;
+    double brightest = 0;
+    for_each_spectrum([&](const SurfaceInteraction3f& si) {
+      const UnpolarizedSpectrum value = tint->eval(si);
+      for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
+        brightest = std::max(brightest, static_cast<double>(value[i]));
+    });
+    return brightest;
+  }
+
+  std::vector<vgroove::Index> indices() const {
+    std::vector<vgroove::Index> result;
+    for_each_spectrum([&](const SurfaceInteraction3f& si) {
+      const UnpolarizedSpectrum n = eta->eval(si), extinction = k->eval(si);
+      for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i) {
+        const auto index = vgroove::Index::of(n[i], extinction[i]);
+        const auto same = [&](const vgroove::Index& other) {
+          return other.n == index.n && other.k == index.k;
+        };
+        if (std::none_of(result.begin(), result.end(), same)) result.push_back(index);
+      }
+    });
+    return result;
+  }
+
+  /// Calls `use` with interactions whose wavelengths, if the variant has any, cover what Mitsuba renders.
+  template <class Use>
+  static void for_each_spectrum(Use&& use) {
+    SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
+    if constexpr (is_spectral_v<Spectrum>) {
+      constexpr float step_nm = 10;
+      constexpr std::size_t lanes = dr::size_v<Wavelength>;
+      for (float start = MI_CIE_MIN; start <= MI_CIE_MAX; start += step_nm * lanes) {
+        for (std::size_t i = 0; i < lanes; ++i)
+          si.wavelengths[i] =
+              std::min(start + step_nm * static_cast<float>(i), static_cast<float>(MI_CIE_MAX));
+        use(si);
+      }
+    } else {
+      use(si);
+    }
+  }
+};
+
+NAMESPACE_END(mitsuba)

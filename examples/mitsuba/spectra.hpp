@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Spectra of Mitsuba as values of vcavity, and the facets that they make.
+///
+/// What `conductor` renders is rendered here as well. Spectra that end inside the visible range are 0 beyond their
+/// ends, and colours of an index may have components of 0. An index of 0 reflects all light in `conductor`, and is
+/// a perfect mirror here. Every other index is brought into the range that `Conductor` accepts, so that a facet which
+/// is made at a point of a surface never throws.
+
+#include <mitsuba/core/spectrum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vcavity/vcavity.hpp>
+
+namespace vgroove {
+
+/// One component per colour or wavelength.
+template <class Real, class UnpolarizedSpectrum>
+using Values = vcavity::Pack<Real, drjit::size_v<UnpolarizedSpectrum>>;
+
+/// Components of an index within the range of `Conductor` in float, which is the narrower one.
+struct Index {
+  static constexpr float smallest = 1e-8f;
+  static constexpr float largest = 1e8f;
+
+  /// @param n,k as a texture gives them: any numbers, or no numbers at all
+  /// @return n and k of a facet; those of a perfect mirror where neither is a number other than 0
+  static Index of(float n, float k) {
+    const Index index{within(n), within(k)};
+    return index.n + index.k >= smallest ? index : mirror();
+  }
+
+  /// Reflects all light, as `material: none` does.
+  static constexpr Index mirror() { return {0.f, 1.f}; }
+
+  float n;
+  float k;
+
+ private:
+  /// The formula of `conductor` for unpolarised light depends on squares only.
+  static float within(float x) { return std::isnan(x) ? 0.f : std::min(std::abs(x), largest); }
+};
+
+/// The facet of an index that Mitsuba gives.
+template <class Real, class UnpolarizedSpectrum>
+vcavity::Conductor<Values<Real, UnpolarizedSpectrum>> conductor(const UnpolarizedSpectrum& eta,
+                                                                const UnpolarizedSpectrum& k) {
+  Values<Real, UnpolarizedSpectrum> n_values, k_values;
+  for (std::size_t i = 0; i < drjit::size_v<UnpolarizedSpectrum>; ++i) {
+    const Index index = Index::of(eta[i], k[i]);
+    n_values[i] = static_cast<Real>(index.n);
+    k_values[i] = static_cast<Real>(index.k);
+  }
+  return {n_values, k_values};
+}
+
+/// Values of vcavity as a spectrum of Mitsuba.
+template <class UnpolarizedSpectrum, class Real>
+UnpolarizedSpectrum to_spectrum(const Values<Real, UnpolarizedSpectrum>& values) {
+  UnpolarizedSpectrum result;
+  for (std::size_t i = 0; i < drjit::size_v<UnpolarizedSpectrum>; ++i)
+    result[i] = static_cast<float>(values[i]);
+  return result;
+}
+
+/// A facet that reflects a given part of what another one reflects: `specular_reflectance`, at each bounce, as in
+/// grooves modelled as a mesh of such mirrors.
+template <class Facet, class Value>
+class Tinted {
+ public:
+  /// @param tint factor on the reflectance, ≥ 0
+  Tinted(const Facet& facet, const Value& tint) : facet_(facet), tint_(tint), amplitude_(sqrt(tint)) {}
+
+  /// Reflectance of unpolarised light.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Cosine>
+  Value operator()(const Cosine& cos_theta_i) const {
+    return tint_ * facet_(cos_theta_i);
+  }
+
+  /// Amplitudes r_s and r_p.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Cosine>
+  vcavity::Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
+    const auto of_facet = facet_.amplitudes(cos_theta_i);
+    return {scaled(of_facet.r_s), scaled(of_facet.r_p)};
+  }
+
+ private:
+  vcavity::Complex<Value> scaled(const vcavity::Complex<Value>& r) const {
+    return {amplitude_ * r.re, amplitude_ * r.im};
+  }
+
+  Facet facet_;
+  Value tint_;
+  Value amplitude_;
+};
+
+}  // namespace vgroove
