@@ -12,6 +12,9 @@
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/pack.hpp"
 #include "vcavity/numbers/elementary.hpp"
+#include "vcavity/numbers/per_component.hpp"
+#include "vcavity/numbers/small_differences.hpp"
+#include "vcavity/numbers/linear_system.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
@@ -39,6 +42,10 @@
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
 #include "vcavity/hemisphere/paper_method.hpp"
+// matte/: panels that reflect by Lambert's law.
+#include "vcavity/matte/interreflection_kernel.hpp"
+#include "vcavity/matte/panel_exchange.hpp"
+#include "vcavity/matte/lambertian_cavity.hpp"
 // render/: what a renderer needs.
 #include "vcavity/render/groove_frame.hpp"
 #include "vcavity/render/bsdf.hpp"
