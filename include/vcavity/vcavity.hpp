@@ -62,6 +62,9 @@
 #include "vcavity/rough/connecting_grooves.hpp"
 #include "vcavity/rough/drawn_ray.hpp"
 #include "vcavity/rough/rough_bsdf.hpp"
+#include "vcavity/rough/adaptive_gauss.hpp"
+#include "vcavity/rough/rough_albedo.hpp"
+#include "vcavity/rough/rough_bihemispherical.hpp"
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"
 // clang-format on

@@ -38,7 +38,7 @@ TEST_CASE("no sample is lost and none weighs more than 1, in float, from smooth 
   Situations situations(1);
   const auto check = [&](const auto& distribution, int& lost, int& heavy) {
     const RoughGrooveBsdf bsdf(distribution, Conductor<float>(0.2f, 3.0f), 256, LongWays::without_loss);
-    for (int draw = 0; draw < 100; ++draw) {
+    for (int draw = 0; draw < 50; ++draw) {
       const auto sample = bsdf.sample(situations.direction(), situations.uniform(), situations.point());
       lost += !sample;
       heavy += sample && !(sample->weight <= 1 + 1e-6f);

@@ -45,6 +45,13 @@ class MixedSlopes {
     return second_.sample({u.x, at_most(Real((u.y - share_) / (Real(1) - share_)), Real(1))});
   }
 
+  /// The two distributions.
+  const First& first() const { return first_; }
+  const Second& second() const { return second_; }
+
+  /// The share of the mean area that has grooves of the first one.
+  const Real& share() const { return share_; }
+
  private:
   First first_;
   Second second_;
