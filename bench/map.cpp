@@ -31,7 +31,8 @@ std::vector<double> wavelengths(int count) {
 }
 
 DiscMapper copper_map(int wavelength_count, int pixels = size) {
-  return DiscMapper(MapRequest{load_material("Cu"), 60, wavelengths(wavelength_count), pixels, all_bounces});
+  return DiscMapper(
+      MapRequest{{load_material("Cu"), 60}, wavelengths(wavelength_count), pixels, all_bounces});
 }
 
 /// Those that this process may use.

@@ -39,7 +39,7 @@ class SkyFile {
 };
 
 MapRequest request_for(double aperture_deg, const SkyFile& sky) {
-  MapRequest request{Material::from_index({0.2, 3.4}, "0.2+3.4i"), aperture_deg, {550}, 16, all_bounces};
+  MapRequest request{{Material::from_index({0.2, 3.4}, "0.2+3.4i"), aperture_deg}, {550}, 16, all_bounces};
   request.environment = std::make_shared<const Environment>(sky.path());
   return request;
 }

@@ -18,7 +18,7 @@ namespace {
 MapRequest request_for(const char* material, double aperture_deg) {
   std::vector<double> wavelengths_nm;
   for (int nm = 400; nm <= 700; nm += 5) wavelengths_nm.push_back(nm);
-  return {load_material(material), aperture_deg, wavelengths_nm, 64, all_bounces};
+  return {{load_material(material), aperture_deg}, wavelengths_nm, 64, all_bounces};
 }
 
 }  // namespace
@@ -89,10 +89,10 @@ TEST_CASE("a tolerance alone chooses float where its rounding is within it, and 
         request.quantity = quantity;
         request.polarization = unit(random) < 0.5 ? Polarization::none : Polarization::full;
         const MapPlan plan = plan_precision(request, tolerance, ExrNumber::float32);
-        CAPTURE(material, request.aperture_deg, tolerance, plan.explanation);
+        CAPTURE(material, request.surface.aperture_deg, tolerance, plan.explanation);
         CHECK(plan.bound <= tolerance);
         CHECK(plan.request.polarization == request.polarization);
-        CHECK(plan.request.most_bounces == all_bounces);
+        CHECK(plan.request.max_bounces == all_bounces);
         CHECK(plan.request.wavelengths_nm == request.wavelengths_nm);
         const auto expected = DiscMapper(request).rows(0, request.size);
         const auto planned = DiscMapper(plan.request).rows(0, request.size);

@@ -8,11 +8,11 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/surface_options.hpp"
 #include "tools/maps/disc_map.hpp"
 #include "tools/maps/map_picture.hpp"
 #include "tools/maps/map_plan.hpp"
 #include "tools/maps/sweep.hpp"
-#include "tools/materials/catalogue.hpp"
 #include "tools/support/error.hpp"
 
 namespace vcavity::tools {
@@ -23,8 +23,7 @@ constexpr Interval tolerance_range{0, 100, Interval::Ends::open_low};
 constexpr double default_tolerance = 1e-3;
 
 struct MapOptions {
-  std::vector<std::string> materials;
-  std::vector<double> apertures_deg;
+  SurfaceOptions surfaces;
   int size = 512;
   std::vector<double> wavelength_nm;   // each a map of its own
   std::vector<double> wavelengths_nm;  // all in one map
@@ -33,7 +32,8 @@ struct MapOptions {
   EffectsOptions effects;
   std::optional<double> tolerance;
   std::string environment;
-  int most_bounces = all_bounces;
+  int max_bounces = all_bounces;
+  std::optional<double> theta_deg, phi_deg;  // of the light, for a map of the BRDF
   Viewing viewing;
   std::string out;
   Storage storage;
@@ -44,10 +44,12 @@ struct MapOptions {
 
 void check(const MapOptions& options) {
   if ((options.quantity == Quantity::bounces || options.quantity == Quantity::absorptance) &&
-      options.most_bounces != all_bounces)
+      options.max_bounces != all_bounces)
     throw UsageError("--max-bounces: limits the reflectance, not --quantity bounces or absorptance");
   if (!options.environment.empty() && options.quantity != Quantity::reflectance)
     throw UsageError("--environment: shows the light it casts, not --quantity");
+  if (options.theta_deg && (options.quantity != Quantity::reflectance || !options.environment.empty()))
+    throw UsageError("--theta: maps the BRDF, not --quantity or --environment");
   if (options.out.empty() && options.picture.empty() && !options.effects.explain)
     throw UsageError("--out or --png is required");
 }
@@ -62,30 +64,24 @@ std::vector<std::vector<double>> wavelengths_of_maps(const MapOptions& options) 
   return {{default_wavelength_nm}};
 }
 
-/// Every material at every aperture and wavelength. All of them can be computed.
+/// Every surface at every wavelength. All of them can be computed.
 std::vector<MapRequest> combinations(const MapOptions& options) {
-  MapRequest request{Material::from_index({1, 0}, "1"),
-                     180,
-                     {},
-                     options.size,
-                     options.most_bounces,
-                     options.quantity,
-                     Spectrum::written,
-                     options.polarization};
+  const std::vector<SurfaceDescription> surfaces = surfaces_of(options.surfaces);
+  MapRequest request{
+      surfaces.front(),    {}, options.size, options.max_bounces, options.quantity, Spectrum::written,
+      options.polarization};
   request.viewing = options.viewing;
   if (!options.environment.empty())
     request.environment = std::make_shared<const Environment>(options.environment);
+  if (options.theta_deg) request.light = DirectionDeg{*options.theta_deg, *options.phi_deg};
   std::vector<MapRequest> requests;
-  for (const std::string& name : options.materials) {
-    request.material = load_material(name);
-    for (const double aperture_deg : options.apertures_deg)
-      for (const std::vector<double>& wavelengths_nm : wavelengths_of_maps(options)) {
-        request.aperture_deg = aperture_deg;
-        request.wavelengths_nm = wavelengths_nm;
-        DiscMapper{request};  // throws what is wrong before the long work
-        requests.push_back(request);
-      }
-  }
+  for (const SurfaceDescription& surface : surfaces)
+    for (const std::vector<double>& wavelengths_nm : wavelengths_of_maps(options)) {
+      request.surface = surface;
+      request.wavelengths_nm = wavelengths_nm;
+      DiscMapper{request};  // throws what is wrong before the long work
+      requests.push_back(request);
+    }
   return requests;
 }
 
@@ -172,8 +168,7 @@ void add_map_command(CLI::App& program) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = program.add_subcommand(
       "map", "OpenEXR images of a quantity for every direction, on the disc of the equal-area projection");
-  add_materials(*command, options->materials);
-  add_apertures(*command, options->apertures_deg);
+  add_surface_options(*command, options->surfaces);
   add_count(*command, "--size", options->size, 1, largest_map, "pixels along one side (default 512)")
       ->type_name("N");
   CLI::Option* single = add_wavelengths(*command, options->wavelength_nm);
@@ -193,8 +188,18 @@ void add_map_command(CLI::App& program) {
               {"dop", Quantity::degree_of_polarization},
               {"absorptance", Quantity::absorptance}},
              "what the map shows; dop is the degree of polarisation (default reflectance)");
+  CLI::Option* theta =
+      add_number(
+          *command, "--theta", options->theta_deg, theta_range_deg,
+          "with --phi, map the BRDF of a surface that scatters light, lit from this polar angle in degrees")
+          ->type_name("DEG");
+  CLI::Option* phi =
+      add_number(*command, "--phi", options->phi_deg, azimuth_range_deg, "azimuth of that light in degrees")
+          ->type_name("DEG")
+          ->needs(theta);
+  theta->needs(phi);
   add_polarization(*command, options->polarization);
-  add_max_bounces(*command, options->most_bounces);
+  add_max_bounces(*command, options->max_bounces);
   add_colour_options(*command, options->viewing, grid);
   command
       ->add_option("--out", options->out,

@@ -47,8 +47,12 @@ struct NamedMap {
 
 DiscMapper mapper_for(const char* material, int aperture_deg, int size, std::vector<double> wavelengths_nm,
                       int most_bounces = all_bounces) {
-  return DiscMapper({load_material(material), static_cast<double>(aperture_deg), std::move(wavelengths_nm),
-                     size, most_bounces, Quantity::reflectance, Spectrum::colour_only});
+  return DiscMapper({{load_material(material), static_cast<double>(aperture_deg)},
+                     std::move(wavelengths_nm),
+                     size,
+                     most_bounces,
+                     Quantity::reflectance,
+                     Spectrum::colour_only});
 }
 
 std::string in_degrees(int angle_deg) {

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <future>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -22,8 +24,11 @@
 namespace vcavity::tools {
 namespace {
 
-std::string in_words(Quantity quantity) {
-  switch (quantity) {
+std::string in_words(const MapRequest& request) {
+  if (request.light)
+    return "bidirectional reflectance distribution function in 1/sr for light from theta " +
+           exact(request.light->theta) + " and phi " + exact(request.light->phi) + " degrees";
+  switch (request.quantity) {
     case Quantity::bounces:
       return "number of bounces, mean over the opening in Y";
     case Quantity::degree_of_polarization:
@@ -42,6 +47,33 @@ std::string in_words(const Viewing& viewing) {
          " degree observer; neither clipped nor adapted to another white";
 }
 
+/// "tilt_deg" as "tiltDeg".
+std::string attribute_name(const std::string& field) {
+  std::string name;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const bool starts_word = i > 0 && field[i - 1] == '_';
+    if (field[i] != '_')
+      name += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(field[i]))) : field[i];
+  }
+  return name;
+}
+
+/// What the surface is, as attributes.
+ExrAttributes shape_attributes(const SurfaceDescription& surface) {
+  ExrAttributes attributes;
+  const nlohmann::ordered_json fields = fields_of(surface);
+  for (const auto& [field, value] : fields.items()) {
+    if (value.is_number())
+      attributes[attribute_name(field)] = value.get<double>();
+    else
+      attributes[attribute_name(field)] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+  std::vector<std::string> sources;
+  for (const Material& material : materials_of(surface)) sources.push_back(material.reference());
+  if (!sources.empty()) attributes["materialSource"] = joined(sources, "; ");
+  return attributes;
+}
+
 }  // namespace
 
 std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
@@ -49,17 +81,20 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
   return direction_on_disc(Vec2<double>{scale * (2 * column + 1 - size), scale * (size - 1 - 2 * row)});
 }
 
-DiscMapper::DiscMapper(MapRequest request)
-    : request_(std::move(request)), cavity_(radians(request_.aperture_deg)) {
+DiscMapper::DiscMapper(MapRequest request) : request_(std::move(request)) {
   if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
     throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
   for (const double wavelength_nm : request_.wavelengths_nm)
-    indices_.push_back(request_.material.at(wavelength_nm));
+    surfaces_.push_back(
+        make_surface(request_.surface, wavelength_nm, {request_.polarization, request_.max_bounces}));
+  check();
+  if (by_kernel())
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) indices_.push_back(index(i).value());
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
   } else if (request_.environment) {
     channels_ = {"R", "G", "B", "A"};
-  } else if (indices_.size() == 1) {
+  } else if (surfaces_.size() == 1) {
     channels_ = {"Y", "A"};
   } else {
     const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
@@ -77,18 +112,16 @@ DiscMapper::DiscMapper(MapRequest request)
 }
 
 ExrAttributes DiscMapper::attributes() const {
-  ExrAttributes result{
-      {"software", software()},
-      {"command", command_line()},
-      {"material", request_.material.name()},
-      {"materialSource", request_.material.reference()},
-      {"apertureDeg", request_.aperture_deg},
-      {"projection", std::string("Lambert azimuthal equal-area, disc of radius sqrt(2); u to the right "
-                                 "across the groove, v upwards along it")}};
-  const bool limited = request_.most_bounces != all_bounces;
-  result["maxBounces"] = limited ? std::to_string(request_.most_bounces) : std::string("all");
-  result["quantity"] = in_words(request_.quantity);
-  result["units"] = std::string("1");
+  ExrAttributes result = shape_attributes(request_.surface);
+  result["software"] = software();
+  result["command"] = command_line();
+  result["projection"] = std::string(
+      "Lambert azimuthal equal-area, disc of radius sqrt(2); u to the right across the groove, v upwards "
+      "along it");
+  const bool limited = request_.max_bounces != all_bounces;
+  result["maxBounces"] = limited ? std::to_string(request_.max_bounces) : std::string("all");
+  result["quantity"] = in_words(request_);
+  result["units"] = std::string(request_.light ? "1/sr" : "1");
   if (request_.quantity == Quantity::bounces) return result;
   result["arithmetic"] = std::string(request_.precision == Precision::single_precision ? "float" : "double");
   result["polarization"] = std::string(name_of(request_.polarization));
@@ -97,55 +130,101 @@ ExrAttributes DiscMapper::attributes() const {
     result["units"] = std::string("those of the environment");
     result["environment"] = request_.environment->name();
   }
-  if (!request_.environment && indices_.size() > 1 && request_.spectrum == Spectrum::written)
+  if (!request_.environment && surfaces_.size() > 1 && request_.spectrum == Spectrum::written)
     result.insert(spectral_layout_version());
-  if (weights_) {
-    result["colour"] = in_words(request_.viewing);
-  }
-  if (indices_.size() == 1) {
+  if (weights_) result["colour"] = in_words(request_.viewing);
+  if (surfaces_.size() == 1) {
     result["wavelengthNm"] = request_.wavelengths_nm.front();
-    result["refractiveIndexN"] = indices_.front().n;
-    result["extinctionK"] = indices_.front().k;
+    if (const auto only = index(0)) {
+      result["refractiveIndexN"] = only->n;
+      result["extinctionK"] = only->k;
+    }
   } else {
     std::vector<std::string> n, k, nm;
-    for (const double wavelength_nm : request_.wavelengths_nm) nm.push_back(exact(wavelength_nm));
-    for (const RefractiveIndex& index : indices_) {
-      n.push_back(exact(index.n));
-      k.push_back(exact(index.k));
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      nm.push_back(exact(request_.wavelengths_nm[i]));
+      if (!index(i)) continue;
+      n.push_back(exact(index(i)->n));
+      k.push_back(exact(index(i)->k));
     }
     result["wavelengthsNm"] = joined(nm, " ");
-    result["refractiveIndicesN"] = joined(n, " ");
-    result["extinctionsK"] = joined(k, " ");
+    if (!n.empty()) result["refractiveIndicesN"] = joined(n, " ");
+    if (!k.empty()) result["extinctionsK"] = joined(k, " ");
   }
   return result;
 }
 
-// For each direction, all with e.y ≥ 0, the values at all wavelengths.
+std::optional<RefractiveIndex> DiscMapper::index(std::size_t wavelength) const {
+  return surfaces_[wavelength]->index();
+}
+
+// What cannot be computed for this surface. A surface has it in all directions or in none.
+void DiscMapper::check() const {
+  const Vec3<double> up{0, 0, 1};
+  const Surface& surface = *surfaces_.front();
+  if (request_.light && !surface.brdf(up, up))
+    throw UsageError("--theta: a mirror has no BRDF, expected a surface that scatters light");
+  if (request_.environment && surface.lobes(up).empty())
+    throw UsageError("--environment: is reflected by mirrors only, not by a surface that scatters light");
+  if (request_.quantity == Quantity::bounces && surface.lobes(up).empty())
+    throw UsageError("--quantity bounces: is known of mirrors only, not of a surface that scatters light");
+  if (request_.quantity == Quantity::degree_of_polarization && !surface.reflectance(up).diattenuation)
+    throw UsageError("--quantity dop: light reflected by this surface has no known polarisation");
+}
+
+// The one place where the fast way parts from the general one.
+bool DiscMapper::by_kernel() const {
+  return is_bare_symmetric_groove(request_.surface) && !request_.environment && !request_.light &&
+         request_.quantity != Quantity::bounces;
+}
+
+// What the kernel computes, for any surface.
+double DiscMapper::value(const Surface& surface, const Vec3<double>& e) const {
+  if (request_.light) {
+    const Vec3<double> light = direction(radians(request_.light->theta), radians(request_.light->phi));
+    return surface.brdf(light, e)->value.unpolarized;
+  }
+  const Reflected reflected = surface.reflectance(e);
+  if (request_.quantity == Quantity::degree_of_polarization) return *reflected.diattenuation;
+  if (request_.quantity == Quantity::reflectance) return reflected.unpolarized;
+  return surface.absorptance(e).value_or(1 - reflected.unpolarized);
+}
+
+// For each direction the values at all wavelengths; for the kernel all have e.y ≥ 0.
 std::vector<double> DiscMapper::spectra(const Directions& directions) const {
-  std::vector<double> values(directions.size() * indices_.size());
-  run_kernel({cavity_.aperture(), request_.quantity, request_.polarization, request_.most_bounces, indices_,
-              directions, values},
-             request_.precision);
+  std::vector<double> values(directions.size() * surfaces_.size());
+  if (by_kernel()) {
+    run_kernel({radians(request_.surface.aperture_deg), request_.quantity, request_.polarization,
+                request_.max_bounces, indices_, directions, values},
+               request_.precision);
+  } else {
+    auto next = values.begin();
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      for (const auto& surface : surfaces_) *next++ = value(*surface, directions[i]);
+  }
   return values;
 }
 
 Xyz DiscMapper::colour(const Vec3<double>& e) const {
-  return weights_->colour(spectra({{e.x}, {std::abs(e.y)}, {e.z}}));
+  return weights_->colour(spectra({{e.x}, {by_kernel() ? std::abs(e.y) : e.y}, {e.z}}));
 }
 
 // A viewer looks along the lobes of his own direction, by reciprocity: each shows a part of the opening as
 // wide as its weight, and in it the environment behind the lobe.
 glm::dvec3 DiscMapper::reflected_radiance(const Vec3<double>& e) const {
-  const auto index = [&](std::size_t channel) { return indices_[std::min(channel, indices_.size() - 1)]; };
-  const Conductor<glm::dvec3> facet({index(0).n, index(1).n, index(2).n},
-                                    {index(0).k, index(1).k, index(2).k});
-  return with_polarization(request_.polarization, facet, [&](const auto& model) {
-    glm::dvec3 sum(0.0);
-    for (const auto& lobe : lobes(cavity_, e, model, request_.most_bounces))
-      sum +=
-          lobe.weight * unpolarized(power(lobe.throughput)) * request_.environment->radiance(lobe.direction);
-    return sum;
-  });
+  glm::dvec3 sum(0.0);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (channel >= surfaces_.size()) break;
+    for (const SurfaceLobe& lobe : surfaces_[channel]->lobes(e)) {
+      const glm::dvec3 reflected =
+          lobe.weight * lobe.throughput.unpolarized * request_.environment->radiance(lobe.direction);
+      if (surfaces_.size() == 1)
+        sum += reflected;
+      else
+        sum[static_cast<int>(channel)] += reflected[static_cast<int>(channel)];
+    }
+  }
+  return sum;
 }
 
 // What the kernels do not compute.
@@ -163,7 +242,7 @@ void DiscMapper::put_from_lobes(const Vec3<double>& e, std::size_t pixel, const 
   int least = std::numeric_limits<int>::max();
   int most = 0;
   double mean = 0;
-  for (const auto& lobe : lobes(cavity_, e, [](double) { return 1.0; })) {
+  for (const SurfaceLobe& lobe : surfaces_.front()->lobes(e)) {
     least = std::min(least, lobe.bounces);
     most = std::max(most, lobe.bounces);
     mean += lobe.weight * lobe.bounces;
@@ -176,7 +255,7 @@ void DiscMapper::put_from_lobes(const Vec3<double>& e, std::size_t pixel, const 
 
 template <class Put>
 void DiscMapper::put_spectra(std::span<const double> spectra, std::size_t pixels, const Put& put) const {
-  const std::size_t wavelengths = indices_.size();
+  const std::size_t wavelengths = surfaces_.size();
   std::size_t channel = 0;
   const auto put_wavelengths = [&] {
     for (std::size_t i = 0; i < wavelengths; ++i, ++channel)
@@ -206,10 +285,9 @@ Planes DiscMapper::rows(int first_row, int rows, Planes planes) const {
   };
   planes.resize(channels_.size());
   for (std::vector<float>& plane : planes) plane.resize(at(rows, 0));
-  // The groove is its own mirror image: the right half of a row tells the left half, unless the light
-  // differs.
-  const bool mirrored = !request_.environment;
-  const bool by_kernel = !request_.environment && request_.quantity != Quantity::bounces;
+  // A symmetric groove is its own mirror image: the right half of a row tells the left half, unless the light differs.
+  const bool mirrored = is_bare_symmetric_groove(request_.surface) && !request_.environment;
+  const bool from_lobes = request_.environment || request_.quantity == Quantity::bounces;
   tbb::parallel_for(0, rows, [&](int row) {
     Directions directions;
     std::vector<int> columns;
@@ -225,11 +303,11 @@ Planes DiscMapper::rows(int first_row, int rows, Planes planes) const {
       values[columns[pixel]] = static_cast<float>(value);
       if (mirrored) values[size - 1 - columns[pixel]] = static_cast<float>(value);
     };
-    if (by_kernel) {
-      put_spectra(spectra(directions), directions.size(), put);
-    } else {
+    if (from_lobes) {
       for (std::size_t pixel = 0; pixel < directions.size(); ++pixel)
         put_from_lobes(directions[pixel], pixel, put);
+    } else {
+      put_spectra(spectra(directions), directions.size(), put);
     }
   });
   return planes;

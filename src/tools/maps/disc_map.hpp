@@ -12,7 +12,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vcavity/groove/cavity.hpp>
 #include <vector>
 
 #include "tools/colour/spectral_weights.hpp"
@@ -20,7 +19,7 @@
 #include "tools/images/progress.hpp"
 #include "tools/kernel/kernel.hpp"
 #include "tools/maps/environment.hpp"
-#include "tools/materials/material.hpp"
+#include "tools/surfaces/surface_description.hpp"
 
 namespace vcavity::tools {
 
@@ -40,19 +39,26 @@ struct Storage {
   ExrCompression compression = ExrCompression::piz;
 };
 
+/// A direction in degrees.
+struct DirectionDeg {
+  double theta;
+  double phi;
+};
+
 /// A map to be computed.
 struct MapRequest {
-  Material material;
-  double aperture_deg;
+  SurfaceDescription surface;
   std::vector<double> wavelengths_nm;  ///< one, or an ascending grid of equal steps
   int size;                            ///< pixels along one side
-  int most_bounces;
+  int max_bounces;
   Quantity quantity = Quantity::reflectance;
   Spectrum spectrum = Spectrum::written;
   Polarization polarization = Polarization::none;
   Precision precision = Precision::double_precision;
   std::shared_ptr<const Environment> environment = nullptr;  ///< needs one wavelength, or one per R, G and B
   Viewing viewing = {};
+  std::optional<DirectionDeg> light =
+      std::nullopt;  ///< if given, the map shows the BRDF for light from there
 };
 
 /// The direction that a pixel shows; nothing outside the disc.
@@ -102,10 +108,14 @@ class DiscMapper {
   void put_spectra(std::span<const double> spectra, std::size_t pixels, const Put& put) const;
   template <class Put>
   void put_from_lobes(const Vec3<double>& e, std::size_t pixel, const Put& put) const;
+  void check() const;
+  bool by_kernel() const;
+  double value(const Surface& surface, const Vec3<double>& e) const;
+  std::optional<RefractiveIndex> index(std::size_t wavelength) const;
 
   MapRequest request_;
-  Cavity<double> cavity_;
-  std::vector<RefractiveIndex> indices_;
+  std::vector<std::shared_ptr<const Surface>> surfaces_;  // at each wavelength
+  std::vector<RefractiveIndex> indices_;                  // those of the kernel, if it is what computes
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;
 };

@@ -35,8 +35,9 @@ struct Wording {
   double scale;             ///< what a value is multiplied by for the colour bar
 };
 
-Wording wording(Quantity quantity) {
-  switch (quantity) {
+Wording wording(const MapRequest& request) {
+  if (request.light) return {"BRDF", "of", " in 1/sr", 1};
+  switch (request.quantity) {
     case Quantity::bounces:
       return {"Number of bounces", "in", ", mean over the opening", 1};
     case Quantity::degree_of_polarization:
@@ -77,11 +78,13 @@ std::string counts(const BounceZone& zone) {
 
 /// Lines between zones of different numbers of bounces, and the numbers. Where lines would merge some are
 /// left out.
-void add_contours(DiscMap& disc, double aperture_deg) {
+void add_contours(DiscMap& disc, const SurfaceDescription& surface) {
+  if (!is_bare_symmetric_groove(surface))
+    throw UsageError("--contours: are known of bare symmetric grooves only, not of " + in_words(surface));
   constexpr double closest = 0.02;  // in radii
   constexpr double margin = 0.04;
   double last = -1;
-  for (const BounceZone& zone : bounce_zones(Cavity<double>(radians(aperture_deg)))) {
+  for (const BounceZone& zone : bounce_zones(Cavity<double>(radians(surface.aperture_deg)))) {
     const double left = disc_point(zone.low, 0).u;
     const double right = disc_point(zone.high, 0).u;
     if (zone.low > 0 && left - last > closest) {
@@ -157,7 +160,7 @@ class Labels {
   explicit Labels(const std::vector<MapRequest>& requests) {
     std::set<std::string> materials, wavelengths;
     for (const MapRequest& request : requests) {
-      materials.insert(request.material.name());
+      materials.insert(material_of(request.surface));
       wavelengths.insert(wavelengths_in_words(request.wavelengths_nm));
     }
     several_materials_ = materials.size() > 1;
@@ -169,8 +172,7 @@ class Labels {
     const bool spectral = any.quantity != Quantity::bounces;
     std::string text = what + " ";
     if (spectral && !several_materials_)
-      text += any.material.constant() ? "grooves of index " + any.material.name()
-                                      : any.material.name() + " grooves";
+      text += grooves_in_words(any.surface);
     else
       text += "grooves";
     const bool of_red_green_and_blue = any.environment && any.wavelengths_nm.size() > 1;
@@ -180,8 +182,8 @@ class Labels {
   }
 
   std::string label(const MapRequest& request) const {
-    std::string text = "aperture " + exact(request.aperture_deg) + "°";
-    if (several_materials_) text = request.material.name() + ", " + text;
+    std::string text = in_words(request.surface);
+    if (several_materials_) text = material_of(request.surface) + ", " + text;
     if (several_wavelengths_) text += ", " + wavelengths_in_words(request.wavelengths_nm);
     return text;
   }
@@ -195,6 +197,9 @@ class Labels {
 
 std::string light_in_words(const MapRequest& any) {
   if (any.quantity == Quantity::bounces) return "";
+  if (any.light)
+    return "Light from theta " + exact(any.light->theta) + "°, phi " + exact(any.light->phi) +
+           "°, seen from every direction. ";
   if (!any.environment) return "Diffuse light, seen from every direction. ";
   std::string words = "The light of " + std::filesystem::path(any.environment->name()).filename().string();
   if (const auto& nm = any.wavelengths_nm; nm.size() > 1)
@@ -209,16 +214,16 @@ std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, c
   std::string line = light_in_words(any);
   if (white != 1) line += "White stands for a luminance of " + with_digits(white, 6) + " and above. ";
   line += "The grooves run upwards in the picture.";
-  if (any.most_bounces != all_bounces)
-    line +=
-        " At most " + std::to_string(any.most_bounces) + (any.most_bounces == 1 ? " bounce." : " bounces.");
+  if (any.max_bounces != all_bounces)
+    line += " At most " + std::to_string(any.max_bounces) + (any.max_bounces == 1 ? " bounce." : " bounces.");
   if (any.polarization != Polarization::none)
     line += std::string(" Polarisation: ") + name_of(any.polarization) + ".";
   lines.push_back(line);
   if (style.contours == PictureStyle::Contours::shown)
     lines.push_back("Bold lines: where the number of bounces changes (fewest–most over the opening).");
-  if (!labels.several_materials() && !any.material.constant() && any.quantity != Quantity::bounces)
-    lines.push_back(in_one_line(any.material));
+  if (!labels.several_materials() && any.quantity != Quantity::bounces)
+    for (const Material& material : materials_of(any.surface))
+      if (!material.constant()) lines.push_back(in_one_line(material));
   return lines;
 }
 
@@ -243,9 +248,9 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
   const Labels labels(requests);
   const MapRequest& any = requests.front();
   const bool spectral =
-      any.environment || (any.wavelengths_nm.size() > 1 && any.quantity != Quantity::bounces);
+      any.environment || (any.wavelengths_nm.size() > 1 && any.quantity != Quantity::bounces && !any.light);
   const bool in_colour = spectral && style.tone == PictureStyle::Tone::natural;
-  Wording words = wording(any.quantity);
+  Wording words = wording(any);
   if (spectral) words = {"Luminous reflectance", "of", " in %", 100};
   if (any.environment) words = {"Luminance", "reflected by", "", 1};
 
@@ -277,7 +282,7 @@ Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Pro
     sheet.discs.push_back(in_colour ? colour_disc(images[i], label, white)
                                     : scalar_disc(images[i], label, *sheet.colour_bar, words.scale));
     if (style.contours == PictureStyle::Contours::shown)
-      add_contours(sheet.discs.back(), requests[i].aperture_deg);
+      add_contours(sheet.discs.back(), requests[i].surface);
   }
   sheet.grid = AngleGrid::shown;
   sheet.footnote = software() + ", " + command_line();

@@ -24,23 +24,23 @@ std::string bound_in_words(double bound) {
 }
 
 MapPlan plan_reflectance(MapRequest request, double tolerance) {
-  const Cavity<double> cavity(radians(request.aperture_deg));
-  const RefractiveIndex index = request.material.at(request.wavelengths_nm.front());
-  const EffectsPlan plan = with_facet(index, [&](const auto& facet) {
-    return plan_effects(cavity, facet, tolerance, Illumination::collimated);
-  });
+  const EffectsPlan plan = make_surface(request.surface, request.wavelengths_nm.front(),
+                                        {request.polarization, request.max_bounces})
+                               ->plan(tolerance, Illumination::collimated);
   request.polarization = plan.polarization ? Polarization::full : Polarization::none;
-  request.most_bounces = plan.most_bounces;
+  request.max_bounces = plan.most_bounces;
   request.precision = plan.single_precision ? Precision::single_precision : Precision::double_precision;
   return {std::move(request), in_words(plan), plan.bounds.total()};
 }
 
 // Bound on the rounding error in any direction, at the worst of the wavelengths.
 double largest_rounding(const MapRequest& request) {
+  if (!is_bare_symmetric_groove(request.surface))
+    throw UsageError("--tolerance: bounds the rounding of bare symmetric grooves only, not of this surface");
   double bound = 0;
-  const Cavity<double> cavity(radians(request.aperture_deg));
+  const Cavity<double> cavity(radians(request.surface.aperture_deg));
   for (const double wavelength_nm : request.wavelengths_nm) {
-    const RefractiveIndex index = request.material.at(wavelength_nm);
+    const RefractiveIndex index = request.surface.material.at(wavelength_nm);
     const Conductor<double> facet(index.n, index.k);
     bound = std::max(bound, request.precision == Precision::single_precision
                                 ? rounding_bound<float>(cavity, facet)
@@ -77,6 +77,7 @@ std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
   for (const std::size_t stride : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u})
     for (const Polarization polarization : {Polarization::none, Polarization::full})
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+        if (precision == Precision::single_precision && !is_bare_symmetric_groove(full.surface)) continue;
         MapRequest candidate = full;
         candidate.wavelengths_nm = thinned(full.wavelengths_nm, stride);
         candidate.polarization = polarization;

@@ -69,8 +69,8 @@ bool holds(const std::filesystem::path& path, ExrHeader expected) try {
 }  // namespace
 
 std::string map_file_name(const MapRequest& request) {
-  return request.material.name() + "_" + exact(request.aperture_deg) + "deg_" + wavelengths_of(request) +
-         "nm" + suffix(request.quantity) + ".exr";
+  const std::string what = request.light ? "_brdf" : suffix(request.quantity);
+  return file_stem(request.surface) + "_" + wavelengths_of(request) + "nm" + what + ".exr";
 }
 
 std::vector<MapFile> name_map_files(const std::vector<MapRequest>& requests, const std::string& out) {

@@ -12,6 +12,15 @@ nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
   return {{"material", surface.material.name()}, {"aperture_deg", surface.aperture_deg}};
 }
 
+std::string material_of(const SurfaceDescription& surface) {
+  return surface.material.name();
+}
+
+std::string grooves_in_words(const SurfaceDescription& surface) {
+  return surface.material.constant() ? "grooves of index " + material_of(surface)
+                                     : material_of(surface) + " grooves";
+}
+
 std::string in_words(const SurfaceDescription& surface) {
   return "aperture " + exact(surface.aperture_deg) + "°";
 }

@@ -31,6 +31,12 @@ struct LightModel {
 /// `aperture_deg`, and only where they were asked for the rest.
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface);
 
+/// What a surface is made of, for people: "Cu-Johnson".
+std::string material_of(const SurfaceDescription& surface);
+
+/// Material and kind for the title of a page: "Cu-Johnson grooves", "grooves of index 1.5".
+std::string grooves_in_words(const SurfaceDescription& surface);
+
 /// The shape and finish for people, without the material: "aperture 45°".
 std::string in_words(const SurfaceDescription& surface);
 
