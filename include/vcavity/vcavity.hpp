@@ -51,6 +51,7 @@
 #include "vcavity/render/bsdf.hpp"
 #include "vcavity/render/von_mises_fisher.hpp"
 #include "vcavity/render/spread_bsdf.hpp"
+#include "vcavity/render/lambertian_bsdf.hpp"
 #include "vcavity/render/projection.hpp"
 // rough/: distributions of grooves.
 #include "vcavity/rough/slope_distribution.hpp"

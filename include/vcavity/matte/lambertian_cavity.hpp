@@ -185,6 +185,28 @@ class PanelInterreflection {
             combined(lit, even_error_, odd_error_), nodes_};
   }
 
+  /// What light and viewer that both see a strip of a panel exchange beyond the first crossing, for all pairs of strips
+  /// that begin at the `starts`: ρ₁ρ₂ times the mean radiosity after two or more, even and odd, numbers of crossings.
+  void exchange_strips(const PanelExchange<Real>& exchange, const std::vector<Real>& starts,
+                       std::vector<Real>& even, std::vector<Real>& odd) const {
+    const std::size_t n = exchange.positions().size();
+    std::vector<std::vector<Real>> kernels;
+    for (const Real& start : starts) kernels.push_back(after_one_crossing(exchange, start));
+    for (const std::vector<Real>& kernel : kernels) {
+      const std::vector<Real> once = factors_.solve(kernel);
+      const std::vector<Real> twice = exchange.matrix() * once;
+      for (const std::vector<Real>& viewer : kernels) {
+        Real even_sum(0), odd_sum(0);
+        for (std::size_t i = 0; i < n; ++i) {
+          even_sum += exchange.weights()[i] * viewer[i] * once[i];
+          odd_sum += exchange.weights()[i] * viewer[i] * twice[i];
+        }
+        even.push_back(product_ * even_sum);
+        odd.push_back(product_ * odd_sum);
+      }
+    }
+  }
+
   /// π/(2 sin(α/2)) times the BRDF, and its error.
   Integral<Real> exchanged(const PanelExchange<Real>& exchange, const Footprint<Real>& light,
                            const Footprint<Real>& viewer) const {
@@ -276,10 +298,15 @@ class PanelInterreflection {
     Real error;
   };
 
+  static std::vector<Real> after_one_crossing(const PanelExchange<Real>& exchange, const Real& start) {
+    std::vector<Real> result;
+    for (const Real& s : exchange.positions()) result.push_back(exchange.mean_kernel(s, start));
+    return result;
+  }
+
   Strip light_from_strip(const PanelExchange<Real>& exchange, const Footprint<Real>& footprint) const {
     using std::abs;
-    std::vector<Real> kernel;
-    for (const Real& s : exchange.positions()) kernel.push_back(exchange.mean_kernel(s, footprint.start));
+    std::vector<Real> kernel = after_one_crossing(exchange, footprint.start);
     std::vector<Real> odd = factors_.solve(kernel);
     // Its mean is also that over the strip of light that starts evenly: the kernel is symmetric.
     Real mean(0);
@@ -435,6 +462,30 @@ class LambertianCavity {
     for (const auto& panels : panels_)
       error = std::max(error, panels.exchanged(geometry_->exchange, in, out).error);
     return Real(2) * cavity().sin_half() / pi<Real>() * error;
+  }
+
+  /// For renderers, which cannot solve equations for each pair of directions: what two directions beyond the aperture
+  /// exchange by two or more crossings, in units of the BRDF π/(2 sin(α/2)), per albedo of the panel that is seen (even)
+  /// or of both (odd).
+  struct StripExchange {
+    std::vector<Value> even, odd;  ///< a row for each length of light, a column for each of the viewer
+  };
+
+  /// @param lengths 1 − s₀ of the directions, in [0, 1]
+  StripExchange exchange_strips(const std::vector<Real>& lengths) const {
+    std::vector<Real> starts;
+    for (const Real& length : lengths) starts.push_back(Real(1) - length);
+    const std::size_t pairs = lengths.size() * lengths.size();
+    StripExchange result{std::vector<Value>(pairs, Value(0)), std::vector<Value>(pairs, Value(0))};
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      std::vector<Real> even, odd;
+      panels_[i].exchange_strips(geometry_->exchange, starts, even, odd);
+      for (std::size_t pair = 0; pair < pairs; ++pair) {
+        component(result.even[pair], i) = static_cast<scalar_t<Value>>(even[pair]);
+        component(result.odd[pair], i) = static_cast<scalar_t<Value>>(odd[pair]);
+      }
+    }
+    return result;
   }
 
   /// Radiosity along a panel under diffuse light of unit irradiance on the opening: what leaves a place in all
