@@ -190,17 +190,19 @@ class Film {
   /// Whether there is anything of it, in some component.
   bool present() const { return largest(thickness_) > Real(0); }
 
-  /// The same film for several directions at once.
-  template <std::size_t directions>
-  Film<Pack<Real, directions>> over_directions() const
+  /// The same film in another number type, or for a `Pack` of equal components.
+  template <class Other>
+  Film<Other> in() const
     requires Number<Value>
   {
-    using Values = Pack<Real, directions>;
-    Film<Values> result;
-    result.squared_index_ = {Values(squared_index_.re), Values(squared_index_.im)};
-    result.contrast_ = {Values(contrast_.re), Values(contrast_.im)};
-    result.inverse_ = {Values(inverse_.re), Values(inverse_.im)};
-    result.thickness_ = Values(thickness_);
+    const auto converted = [](const Complex<Value>& z) {
+      return Complex<Other>{static_cast<Other>(z.re), static_cast<Other>(z.im)};
+    };
+    Film<Other> result;
+    result.squared_index_ = converted(squared_index_);
+    result.contrast_ = converted(contrast_);
+    result.inverse_ = converted(inverse_);
+    result.thickness_ = static_cast<Other>(thickness_);
     return result;
   }
 
@@ -343,16 +345,23 @@ class Coated {
   /// The facet without films.
   const Substrate& substrate() const { return substrate_; }
 
+  /// The same facet in another number type, or for a `Pack` of equal components.
+  template <class Other>
+  auto in() const
+    requires Number<Value>
+  {
+    using Facet = decltype(substrate_.template in<Other>());
+    std::vector<Film<Other>> films;
+    for (const Film<Value>& film : this->films()) films.push_back(film.template in<Other>());
+    return Coated<Facet, max_films>(substrate_.template in<Other>(), films);
+  }
+
   /// The same facet for several directions at once: it takes a `Pack` of cosines.
   template <std::size_t directions>
   auto over_directions() const
     requires Number<Value>
   {
-    const auto substrate = substrate_.template over_directions<directions>();
-    std::vector<Film<Pack<Real, directions>>> films;
-    for (const Film<Value>& film : this->films())
-      films.push_back(film.template over_directions<directions>());
-    return Coated<std::remove_cv_t<decltype(substrate)>, max_films>(substrate, films);
+    return in<Pack<Real, directions>>();
   }
 
  private:

@@ -154,13 +154,22 @@ class Conductor : public detail::FresnelInterface<Conductor<Value>, Value, Compl
     return {at_most(s, Real(1)), at_most(Value(s * ratio), Real(1))};
   }
 
+  /// The same facet in another number type, or for a `Pack` of equal components.
+  template <class Other>
+  Conductor<Other> in() const
+    requires Number<Value>
+  {
+    return {static_cast<Other>(permittivity_),
+            {static_cast<Other>(contrast_.re), static_cast<Other>(contrast_.im)},
+            static_cast<Other>(contrast_norm_)};
+  }
+
   /// The same facet for several directions at once: it takes a `Pack` of cosines.
   template <std::size_t directions>
   Conductor<Pack<Real, directions>> over_directions() const
     requires Number<Value>
   {
-    using Values = Pack<Real, directions>;
-    return {Values(permittivity_), {Values(contrast_.re), Values(contrast_.im)}, Values(contrast_norm_)};
+    return in<Pack<Real, directions>>();
   }
 
  private:
@@ -226,13 +235,20 @@ class Dielectric : public detail::FresnelInterface<Dielectric<Value>, Value, Val
     return {refracted(s), refracted(Value(s * ratio))};
   }
 
+  /// The same facet in another number type, or for a `Pack` of equal components.
+  template <class Other>
+  Dielectric<Other> in() const
+    requires Number<Value>
+  {
+    return {static_cast<Other>(permittivity_), static_cast<Other>(contrast_)};
+  }
+
   /// The same facet for several directions at once: it takes a `Pack` of cosines.
   template <std::size_t directions>
   Dielectric<Pack<Real, directions>> over_directions() const
     requires Number<Value>
   {
-    using Values = Pack<Real, directions>;
-    return {Values(permittivity_), Values(contrast_)};
+    return in<Pack<Real, directions>>();
   }
 
  private:

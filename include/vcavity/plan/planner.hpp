@@ -181,17 +181,52 @@ inline double rounding_bound(const Cavity<double>& cavity, const Complex<double>
   return at_most(few * cavity.max_bounces() * (smooth + critical), 1.0);
 }
 
+/// The same for a facet without such a formula, measured: the largest difference of its amplitudes to those
+/// in long double, on a grid of cosines that is finest at grazing and around the critical angle.
+template <class Real, class Facet>
+double measured_rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
+  constexpr int steps = 1024;
+  constexpr double few = 4;  // what the grid may have missed
+  const auto rounded = facet.template in<Real>();
+  const auto exact = facet.template in<long double>();
+  double largest = 0;
+  const auto measure = [&](double cosine) {
+    const Real c = static_cast<Real>(cosine);
+    const auto found = rounded.amplitudes(c);
+    const auto expected = exact.amplitudes(static_cast<long double>(c));
+    const auto difference = [](const Complex<Real>& a, const Complex<long double>& b) {
+      return static_cast<double>(norm(Complex<long double>{a.re - b.re, a.im - b.im}));
+    };
+    largest = std::max({largest, difference(found.r_s, expected.r_s), difference(found.r_p, expected.r_p)});
+  };
+  const double epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
+  for (int i = 1; i <= steps; ++i) {
+    const double fraction = static_cast<double>(i) / steps;
+    measure(fraction);
+    measure(std::pow(fraction, 4));
+  }
+  const double critical = static_cast<double>(facet.critical_cosine());
+  for (int i = -16; i <= 16; ++i) measure(at_most(critical * (1 + i * epsilon), 1.0));
+  // A cosine itself carries some ε, and that of a power is twice that of its amplitude.
+  const double of_cosine = epsilon + std::sqrt(largest);
+  return at_most(few * 2 * cavity.max_bounces() * of_cosine, 1.0);
+}
+
 }  // namespace detail
 
 /// Bound on the absolute rounding error of a directional reflectance or absorptance, in any direction and any
 /// model of polarisation.
 /// @tparam Real the number type that it is computed with
-/// @param facet facet with a contrast, such as `Conductor` or `Dielectric`
+/// @param facet facet with a contrast, such as `Conductor` or `Dielectric`; or with amplitudes in any number
+/// type, such as `Coated`, for which the bound is an estimate
 /// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
 template <class Real, class Facet>
 double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
-  return detail::rounding_bound(cavity, detail::as_complex(facet.contrast()),
-                                static_cast<double>(std::numeric_limits<Real>::epsilon()));
+  if constexpr (requires { facet.contrast(); })
+    return detail::rounding_bound(cavity, detail::as_complex(facet.contrast()),
+                                  static_cast<double>(std::numeric_limits<Real>::epsilon()));
+  else
+    return detail::measured_rounding_bound<Real>(cavity, facet);
 }
 
 /// The cheapest plan for a groove of one facet material.
@@ -200,7 +235,8 @@ double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
 /// So a looser tolerance never asks for more. Where even double precision cannot promise its share, which a
 /// critical angle makes up to 1e-4, `bounds` says so.
 ///
-/// @param facet facet with amplitudes and a contrast, such as `Conductor` or `Dielectric`
+/// @param facet facet with amplitudes that `rounding_bound` takes, such as `Conductor`, `Dielectric` or
+/// `Coated`
 /// @param tolerance largest absolute error of the reflectance, > 0
 /// @throws std::invalid_argument when the tolerance is not a positive number
 template <FieldReflector<double> Facet>
@@ -233,6 +269,23 @@ EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, doubl
   return plan;
 }
 
+namespace detail {
+
+/// Calls `use` with the groove and the facet of a plan.
+/// @param facet_in makes the facet in a number type: facet_in(Real())
+template <class FacetIn, class Use>
+auto follow_plan(const EffectsPlan& plan, const Cavity<double>& cavity, const FacetIn& facet_in, Use&& use) {
+  const auto in_precision = [&]<class Real>(const Cavity<Real>& groove) {
+    const auto facet = facet_in(Real());
+    return plan.polarization ? use(groove, polarized(facet)) : use(groove, facet);
+  };
+  return plan.single_precision
+             ? in_precision(Cavity<float>(at_most(static_cast<float>(cavity.aperture()), pi<float>())))
+             : in_precision(cavity);
+}
+
+}  // namespace detail
+
 /// Calls `use` with the groove and the facet of a plan, in its number type and with or without polarisation:
 ///
 ///     const double reflectance = with_effects(plan, groove, n, k, [&](const auto& cavity, const auto& facet)
@@ -245,13 +298,17 @@ EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, doubl
 /// @return what `use` returns, of one type for all plans
 template <class Use>
 auto with_effects(const EffectsPlan& plan, const Cavity<double>& cavity, double n, double k, Use&& use) {
-  const auto in_precision = [&]<class Real>(const Cavity<Real>& groove) {
-    const auto facet = Conductor<Real>::from_contrast(static_cast<Real>(n - 1), static_cast<Real>(k));
-    return plan.polarization ? use(groove, polarized(facet)) : use(groove, facet);
+  const auto facet_in = [n, k]<class Real>(Real) {
+    return Conductor<Real>::from_contrast(static_cast<Real>(n - 1), static_cast<Real>(k));
   };
-  return plan.single_precision
-             ? in_precision(Cavity<float>(at_most(static_cast<float>(cavity.aperture()), pi<float>())))
-             : in_precision(cavity);
+  return detail::follow_plan(plan, cavity, facet_in, use);
+}
+
+/// The same with a facet that can be had in any number type, such as `Coated`.
+template <class Facet, class Use>
+auto with_effects(const EffectsPlan& plan, const Cavity<double>& cavity, const Facet& facet, Use&& use) {
+  const auto facet_in = [&facet]<class Real>(Real) { return facet.template in<Real>(); };
+  return detail::follow_plan(plan, cavity, facet_in, use);
 }
 
 }  // namespace vcavity

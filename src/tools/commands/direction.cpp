@@ -230,7 +230,7 @@ void add_rows(Report& report, const Result& result, bool leading) {
         if (value.is_number_float())
           add_number(row, name, value.get<double>());
         else
-          row.add_to_tables(name, value.is_string() ? value.get<std::string>() : value.dump());
+          row.add_to_tables(name, text_of(value));
       }
     return row;
   };

@@ -27,6 +27,7 @@ inline constexpr Interval aperture_range_deg{0, 180, Interval::Ends::open_low};
 inline constexpr Interval theta_range_deg{0, 90};
 inline constexpr Interval azimuth_range_deg{-360, 360};
 inline constexpr Interval wavelength_range_nm{1, 1e7};
+inline constexpr Interval film_range_nm{0, 1e6};
 inline constexpr int largest_map = 32768;  ///< pixels along one side
 
 /// Wavelength at which tabulated materials are taken unless the user says otherwise; the paper's.

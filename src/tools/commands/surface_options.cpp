@@ -27,6 +27,18 @@ void vary(std::vector<SurfaceDescription>& surfaces, const std::vector<Value>& v
   surfaces = std::move(varied);
 }
 
+/// A film of each thickness that `M:NM` names, where NM may be a list or a range.
+std::vector<FilmLayer> films_of(const std::string& words) {
+  const auto colon = words.find(':');
+  if (colon == words.npos || colon == 0)
+    throw unexpected("--film", words, "a material and a thickness in nm, M:NM or M:LO:HI:STEP");
+  const Material material = load_material(words.substr(0, colon));
+  std::vector<FilmLayer> films;
+  for (const double thickness_nm : checked_numbers(words.substr(colon + 1), "--film", film_range_nm))
+    films.push_back({material, thickness_nm});
+  return films;
+}
+
 void check(const SurfaceOptions& options) {
   if (options.materials.empty()) throw UsageError("--material is required");
   if (options.apertures_deg.empty()) throw UsageError("--aperture is required");
@@ -37,6 +49,13 @@ void check(const SurfaceOptions& options) {
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
   add_materials(command, options.materials);
   add_apertures(command, options.apertures_deg);
+  command
+      .add_option(
+          "--film", options.films,
+          "a thin film on every facet: a material as for --material and a thickness in nanometres, 0 to "
+          "1e6; a list M:A,B,C or a range M:LO:HI:STEP; repeat it for more films, the top one first")
+      ->type_name("M:NM")
+      ->allow_extra_args(false);
 }
 
 std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
@@ -45,6 +64,9 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
   for (const std::string& name : options.materials) surfaces.push_back({load_material(name), 180});
   vary(surfaces, options.apertures_deg,
        [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
+  for (const std::string& film : options.films)
+    vary(surfaces, films_of(film),
+         [](SurfaceDescription& surface, const FilmLayer& layer) { surface.films.push_back(layer); });
   return surfaces;
 }
 

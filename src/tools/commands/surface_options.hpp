@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The options that say what a surface is made of and how it is shaped: in one place for all commands. Each may be a
-/// list; every combination of their values is a surface.
+/// The options that say what a surface is made of and how it is shaped: in one place for all commands. Each
+/// may be a list; every combination of their values is a surface.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -16,6 +16,7 @@ namespace vcavity::tools {
 struct SurfaceOptions {
   std::vector<std::string> materials;
   std::vector<double> apertures_deg;
+  std::vector<std::string> films;  ///< M:NM each, the top one first
 };
 
 /// Adds --material, --aperture and all others of `SurfaceOptions`.

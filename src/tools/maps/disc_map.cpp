@@ -19,6 +19,7 @@
 
 #include "tools/materials/provenance.hpp"
 #include "tools/support/error.hpp"
+#include "tools/support/report.hpp"
 #include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
@@ -66,7 +67,7 @@ ExrAttributes shape_attributes(const SurfaceDescription& surface) {
     if (value.is_number())
       attributes[attribute_name(field)] = value.get<double>();
     else
-      attributes[attribute_name(field)] = value.is_string() ? value.get<std::string>() : value.dump();
+      attributes[attribute_name(field)] = text_of(value);
   }
   std::vector<std::string> sources;
   for (const Material& material : materials_of(surface)) sources.push_back(material.reference());

@@ -6,16 +6,17 @@
 #include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
-namespace {
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return exact(value.get<double>());
-  return value.dump();
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const auto& [name, part] : value.items())
+    text.append(text.empty() ? "" : value.is_array() ? "; " : ":").append(text_of(part));
+  return text;
 }
-
-}  // namespace
 
 ReportRow& ReportRow::add(const std::string& column, const nlohmann::ordered_json& value,
                           const std::string& shown) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// What a command prints: rows of typed cells with where they come from, as Markdown for people, CSV for spreadsheets
-/// and JSON for programs. A column is named once, where its cell is filled in.
+/// What a command prints: rows of typed cells with where they come from, as Markdown for people, CSV for
+/// spreadsheets and JSON for programs. A column is named once, where its cell is filled in.
 ///
-/// Method: each row is a list of named cells; the columns of the tables are all names in the order in which they first
-/// appear, and a row without a cell of that name stays blank there.
+/// Method: each row is a list of named cells; the columns of the tables are all names in the order in which
+/// they first appear, and a row without a cell of that name stays blank there.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +15,10 @@ namespace vcavity::tools {
 
 /// How a command prints its results.
 enum class Format { md, csv, json };
+
+/// A value of JSON as a cell of a table: numbers exactly, nothing for null, arrays separated by "; ", the
+/// members of an object by ":".
+std::string text_of(const nlohmann::ordered_json& value);
 
 /// One row of a report.
 class ReportRow {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/surfaces/groove_surface.hpp"
 
+#include <type_traits>
 #include <utility>
 #include <vcavity/vcavity.hpp>
 
@@ -60,12 +61,16 @@ class GrooveSurface final : public Surface {
   }
 
   Integral<double> bihemispherical(const EffectsPlan& plan) const override {
-    return with_effects(plan, cavity_, index_.n, index_.k, [&](const auto& shape, const auto& facet) {
+    const auto integrate = [&](const auto& shape, const auto& facet) {
       using Real = std::remove_cvref_t<decltype(shape.aperture())>;
       const auto integral = bihemispherical_reflectance(
           shape, facet, static_cast<Real>(plan.bounds.quadrature), plan.most_bounces);
       return Integral<double>{static_cast<double>(integral.value), plan.bounds.total(), integral.evaluations};
-    });
+    };
+    if constexpr (std::is_same_v<Facet, Coated<Conductor<double>>>)
+      return with_effects(plan, cavity_, facet_, integrate);
+    else
+      return with_effects(plan, cavity_, index_.n, index_.k, integrate);
   }
 
  private:
@@ -81,7 +86,7 @@ class GrooveSurface final : public Surface {
 std::unique_ptr<const Surface> make_groove_surface(const SurfaceDescription& surface, double wavelength_nm,
                                                    const LightModel& light) {
   const RefractiveIndex index = surface.material.at(wavelength_nm);
-  return with_facet(index, [&](const auto& facet) {
+  return with_facet(index, surface.films, wavelength_nm, [&](const auto& facet) {
     return with_polarization(
         light.polarization, facet, [&](const auto& model) -> std::unique_ptr<const Surface> {
           using Groove = GrooveSurface<std::decay_t<decltype(facet)>, std::decay_t<decltype(model)>>;

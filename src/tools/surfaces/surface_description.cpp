@@ -9,7 +9,11 @@
 namespace vcavity::tools {
 
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
-  return {{"material", surface.material.name()}, {"aperture_deg", surface.aperture_deg}};
+  nlohmann::ordered_json fields{{"material", surface.material.name()},
+                                {"aperture_deg", surface.aperture_deg}};
+  for (const FilmLayer& film : surface.films)
+    fields["films"].push_back({{"material", film.material.name()}, {"thickness_nm", film.thickness_nm}});
+  return fields;
 }
 
 std::string material_of(const SurfaceDescription& surface) {
@@ -22,19 +26,22 @@ std::string grooves_in_words(const SurfaceDescription& surface) {
 }
 
 std::string in_words(const SurfaceDescription& surface) {
-  return "aperture " + exact(surface.aperture_deg) + "°";
+  const std::string words = "aperture " + exact(surface.aperture_deg) + "°";
+  return surface.films.empty() ? words : words + ", under " + in_words(surface.films);
 }
 
 std::string file_stem(const SurfaceDescription& surface) {
-  return surface.material.name() + "_" + exact(surface.aperture_deg) + "deg";
+  return surface.material.name() + "_" + exact(surface.aperture_deg) + "deg" + file_stem(surface.films);
 }
 
 std::vector<Material> materials_of(const SurfaceDescription& surface) {
-  return {surface.material};
+  std::vector<Material> materials{surface.material};
+  for (const FilmLayer& film : surface.films) materials.push_back(film.material);
+  return materials;
 }
 
-bool is_bare_symmetric_groove(const SurfaceDescription&) {
-  return true;
+bool is_bare_symmetric_groove(const SurfaceDescription& surface) {
+  return !has_films(surface.films);
 }
 
 std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,

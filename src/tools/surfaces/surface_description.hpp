@@ -10,6 +10,7 @@
 
 #include "tools/materials/facet.hpp"
 #include "tools/materials/material.hpp"
+#include "tools/surfaces/films.hpp"
 #include "tools/surfaces/surface.hpp"
 
 namespace vcavity::tools {
@@ -18,7 +19,8 @@ namespace vcavity::tools {
 /// given would set stays at its default.
 struct SurfaceDescription {
   Material material;
-  double aperture_deg;  ///< angle between the panels in degrees, (0, 180]
+  double aperture_deg;                ///< angle between the panels in degrees, (0, 180]
+  std::vector<FilmLayer> films = {};  ///< on every facet, the top one first
 };
 
 /// How light is followed.
