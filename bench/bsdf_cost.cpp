@@ -65,7 +65,7 @@ void print_row(const char* facet_name, const Facet& facet, float aperture_deg) {
   const double value = nanoseconds(
       queries, [&](const Query& q) { return largest(unpolarized(spread.evaluate(q.wo, {0, 0, 1}))); });
   const double fresnel = nanoseconds(queries, [&](const Query& q) {
-    return largest(unpolarized(power(reflect(facet, PanelImages<float>(cavity, q.wo, Panel::one)))));
+    return largest(unpolarized(power(reflect(facet, UnfoldedRay<float>(cavity, q.wo, Panel::one)))));
   });
   std::printf("| %s | %.0f° | %.0f | %.0f | %.0f | %.0f | %.1f |\n", facet_name, double(aperture_deg), weight,
               energy, albedo, value, fresnel);

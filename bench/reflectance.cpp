@@ -77,9 +77,9 @@ void check_plain(const Cavity<double>& groove, const std::vector<Vec3<double>>& 
 
 /// What is left if the bounces of every direction are known beforehand: evaluations, products and weights.
 template <class Real>
-std::vector<Itinerary<Real>> known_ways(const Cavity<Real>& groove,
-                                        const std::vector<Vec3<Real>>& directions) {
-  std::vector<Itinerary<Real>> result;
+std::vector<RecordedDirection<Real>> known_ways(const Cavity<Real>& groove,
+                                                const std::vector<Vec3<Real>>& directions) {
+  std::vector<RecordedDirection<Real>> result;
   for (const Vec3<Real>& e : directions) result.emplace_back(groove, e);
   return result;
 }
@@ -110,7 +110,7 @@ void add(const std::string& material, const std::string& aperture_deg, const Fac
   add_over("reflectance", "full", directions, reflectance_of<Reals>(groove, polarized(facet)));
   if constexpr (lanes == 1)
     add_over("known_ways", "none", known_ways(groove, directions),
-             [facet](const Itinerary<Real>& way) { return way.reflectance(facet); });
+             [facet](const RecordedDirection<Real>& way) { return way.reflectance(facet); });
   if constexpr (std::is_same_v<Reals, double> && std::is_same_v<Facet, Conductor<double>>) {
     check_plain(groove, directions);
     add_over("plain_loop", "none", directions, PlainReflectance<double>(groove, facet));

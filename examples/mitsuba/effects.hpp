@@ -36,7 +36,7 @@ inline Effects planned_effects(std::span<const double> apertures, std::span<cons
       const vcavity::Conductor<double> facet(index.n, index.k);
       const auto plan = vcavity::plan_effects(cavity, facet, tolerance, vcavity::Illumination::collimated);
       effects.polarization |= plan.polarization;
-      effects.max_bounces = std::max(effects.max_bounces, plan.most_bounces);
+      effects.max_bounces = std::max(effects.max_bounces, plan.max_bounces);
       effects.double_precision |= !plan.single_precision;
       effects.bounds.polarization = std::max(effects.bounds.polarization, plan.bounds.polarization);
       effects.bounds.bounces = std::max(effects.bounds.bounces, plan.bounds.bounces);

@@ -22,17 +22,22 @@
 // What is where, and in which units.
 #include "vcavity/conventions.hpp"
 // facet/: one bounce.
+#include "vcavity/facet/bounce.hpp"
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/interface.hpp"
 #include "vcavity/facet/fresnel.hpp"
 #include "vcavity/facet/coated.hpp"
 #include "vcavity/facet/energy_balance.hpp"
+#include "vcavity/facet/panel_facets.hpp"
 // groove/: what the groove makes of it, for one ray and for one direction.
 #include "vcavity/groove/cavity.hpp"
-#include "vcavity/groove/bounces.hpp"
+#include "vcavity/groove/unfolding.hpp"
+#include "vcavity/groove/ray.hpp"
+#include "vcavity/groove/lit_opening.hpp"
+#include "vcavity/groove/narrow_groove.hpp"
 #include "vcavity/groove/lobes.hpp"
 #include "vcavity/groove/reflectance.hpp"
-#include "vcavity/groove/itinerary.hpp"
+#include "vcavity/groove/recorded_direction.hpp"
 // polarization/: light as a transverse wave.
 #include "vcavity/polarization/jones.hpp"
 #include "vcavity/polarization/mueller.hpp"

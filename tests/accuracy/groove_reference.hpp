@@ -82,7 +82,7 @@ std::array<Wide, count> traced_reflectances(const std::vector<Wide>& arguments, 
 
 /// The largest number of bounces of a lobe of the library.
 template <class Real>
-int most_bounces_of(const std::vector<Real>& arguments) {
+int max_bounces_of(const std::vector<Real>& arguments) {
   const auto white = [](const Real&) { return Real(1); };
   int bounces = 1;
   const Vec3<Real> e{arguments[1], arguments[2], arguments[3]};

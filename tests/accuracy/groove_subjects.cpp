@@ -32,9 +32,9 @@ std::vector<Subject<Real>> groove_subjects() {
     const Cavity<Real> cavity(a[0]);
     Results<Real> results;
     for (const Panel first : {Panel::one, Panel::two}) {
-      PanelImages<Real> images(cavity, direction_of(a), first);
-      for (; images.bounce() <= cavity.max_bounces(); images.advance())
-        results[key_of(first, images.bounce())] = images.normal_component();
+      UnfoldedRay<Real> ray(cavity, direction_of(a), first);
+      for (; ray.number() <= cavity.max_bounces(); ray.advance())
+        results[key_of(first, ray.number())] = ray.normal_component();
     }
     return results;
   };
@@ -86,7 +86,7 @@ std::vector<Subject<Real>> groove_subjects() {
   subjects.push_back(subject);
 
   subject = coated(groove_subject<Real>("directional reflectance"));
-  subject.bound = [](const Arguments& a) { return product_bound(most_bounces_of(a)); };
+  subject.bound = [](const Arguments& a) { return product_bound(max_bounces_of(a)); };
   subject.actual = [](const Arguments& a) -> Results<Real> {
     return {{0, directional_reflectance(Cavity<Real>(a[0]), direction_of(a), Conductor<Real>(a[4], a[5]))}};
   };

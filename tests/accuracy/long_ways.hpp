@@ -51,9 +51,9 @@ void follow(const Vec3<Real>& e, LongWayErrors& errors) {
   const Conductor<Real> mirror(n, k);
   const ReflectedRay<Digits50> exact(GrooveSection<Digits50>{Digits50(cavity.aperture())}, Digits50(e.y),
                                      Digits50(e.z), Panel::one, cavity.max_bounces());
-  PanelImages<Real> images(cavity, e, Panel::one);
+  UnfoldedRay<Real> ray(cavity, e, Panel::one);
   const Real half_sine = cavity.sin_half();
-  PlainTurn<Real> plain{images.tangent_component(), images.normal_component(),
+  PlainTurn<Real> plain{ray.tangent_component(), ray.normal_component(),
                         Real(2) * half_sine * cavity.cos_half(), Real(2) * half_sine * half_sine};
   errors.cosine.resize(exact.cosines.size());
   errors.plain_turn.resize(exact.cosines.size());
@@ -62,13 +62,13 @@ void follow(const Vec3<Real>& e, LongWayErrors& errors) {
   Digits50 exact_throughput(1);
   for (std::size_t j = 0; j < exact.cosines.size() && exact.cosines[j] > 0; ++j) {
     const Digits50& cosine = exact.cosines[j];
-    keep_larger(errors.cosine[j], error_in_epsilons(images.normal_component(), cosine, 1));
+    keep_larger(errors.cosine[j], error_in_epsilons(ray.normal_component(), cosine, 1));
     keep_larger(errors.plain_turn[j], error_in_epsilons(plain.y, cosine, 1));
-    throughput *= mirror(images.cos_theta_i());
+    throughput *= mirror(ray.cosine());
     exact_throughput *=
         TextbookFresnel<Digits50>(Digits50(n - 1), Digits50(k), facet_cosine<Real>(cosine)).reflectance();
     keep_larger(errors.throughput[j], error_in_epsilons(throughput, exact_throughput));
-    images.advance();
+    ray.advance();
     plain.turn();
   }
 }

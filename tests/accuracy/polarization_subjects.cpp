@@ -96,7 +96,7 @@ template <class Real>
 Subject<Real> separate_polarizations() {
   using Arguments = std::vector<Real>;
   Subject<Real> subject = coated(groove_subject<Real>("directional reflectance of s and p light"));
-  subject.bound = [](const Arguments& a) { return squared_product_bound(most_bounces_of(a)); };
+  subject.bound = [](const Arguments& a) { return squared_product_bound(max_bounces_of(a)); };
   subject.actual = [](const Arguments& a) -> Results<Real> {
     const auto reflectance = directional_reflectance(Cavity<Real>(a[0]), direction_of(a),
                                                      separately_polarized(Conductor<Real>(a[4], a[5])));
@@ -125,11 +125,11 @@ Subject<Real> jones_matrix() {
     const auto facet = polarized(Conductor<Real>(a[5], a[6]));
     const RayPath path = path_of<Real>(a);
     const Cavity<Real> cavity(a[0]);
-    PanelImages<Real> images(cavity, direction_of(a), path.first_panel);
-    Jones<Real> product = facet(images);
-    while (images.bounce() < path.bounces) {
-      images.advance();
-      product = product * facet(images);
+    UnfoldedRay<Real> ray(cavity, direction_of(a), path.first_panel);
+    Jones<Real> product = reflect(facet, ray);
+    while (ray.number() < path.bounces) {
+      ray.advance();
+      product = product * reflect(facet, ray);
     }
     Results<Real> results;
     for (const Real& part : parts(product.aa, product.ba, product.ab, product.bb))
@@ -159,7 +159,7 @@ Subject<Real> mueller_matrix() {
   subject.is_one_quantity = true;
   subject.moves = moves_of_fields;
   subject.share_of_samples = share_of_fields;
-  subject.bound = [](const Arguments& a) { return squared_product_bound(most_bounces_of(a)); };
+  subject.bound = [](const Arguments& a) { return squared_product_bound(max_bounces_of(a)); };
   subject.actual = [](const Arguments& a) {
     const Mueller<Real> mueller = directional_mueller(a);
     Results<Real> results;
@@ -182,7 +182,7 @@ Subject<Real> degrees_of_polarization() {
   Subject<Real> subject = coated(groove_subject<Real>("polarizance and diattenuation"));
   subject.moves = moves_of_fields;
   subject.share_of_samples = share_of_fields;
-  subject.bound = [](const Arguments& a) { return squared_product_bound(most_bounces_of(a)); };
+  subject.bound = [](const Arguments& a) { return squared_product_bound(max_bounces_of(a)); };
   subject.actual = [](const Arguments& a) -> Results<Real> {
     const Mueller<Real> mueller = directional_mueller(a);
     return {{0, polarizance(mueller)}, {1, diattenuation(mueller)}};

@@ -36,10 +36,10 @@ void for_each_job(const std::vector<RefractiveIndex>& indices, Check&& check) {
     for (const Polarization polarization : {Polarization::none, Polarization::separate, Polarization::full})
       for (const Quantity quantity :
            {Quantity::reflectance, Quantity::absorptance, Quantity::degree_of_polarization})
-        for (const int most_bounces : {2, all_bounces}) {
+        for (const int max_bounces : {2, all_bounces}) {
           if (quantity == Quantity::degree_of_polarization && polarization == Polarization::none) continue;
           CAPTURE(aperture_deg, indices.size(), static_cast<int>(polarization), static_cast<int>(quantity));
-          check(KernelJob{radians(aperture_deg), quantity, polarization, most_bounces, indices, directions,
+          check(KernelJob{radians(aperture_deg), quantity, polarization, max_bounces, indices, directions,
                           values});
         }
 }
@@ -51,7 +51,7 @@ double expected(const KernelJob& job, const Vec3<double>& e, const RefractiveInd
     return with_polarization(job.polarization, facet, [&](const auto& model) -> double {
       if (job.quantity == Quantity::absorptance)
         return unpolarized(directional_absorptance(cavity, e, model));
-      const auto reflectance = directional_reflectance(cavity, e, model, job.most_bounces);
+      const auto reflectance = directional_reflectance(cavity, e, model, job.max_bounces);
       if constexpr (requires { diattenuation(reflectance); })
         if (job.quantity == Quantity::degree_of_polarization) return diattenuation(reflectance);
       return unpolarized(reflectance);

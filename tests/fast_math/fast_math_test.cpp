@@ -72,10 +72,10 @@ TEMPLATE_TEST_CASE("with -ffast-math weights still add up to one and nothing exc
 
 TEST_CASE("with -ffast-math thousands of bounces do not drift") {
   const Cavity<double> slit(radians(0.01));
-  PanelImages<double> images(slit, {0.0, 0.0, 1.0}, Panel::one);
-  while (images.bounce() < slit.max_bounces()) images.advance();
+  UnfoldedRay<double> ray(slit, {0.0, 0.0, 1.0}, Panel::one);
+  while (ray.number() < slit.max_bounces()) ray.advance();
   const double expected = std::sin((slit.max_bounces() - 0.5) * slit.aperture());
-  CHECK(std::abs(images.normal_component() - expected) <= 16 * std::numeric_limits<double>::epsilon());
+  CHECK(std::abs(ray.normal_component() - expected) <= 16 * std::numeric_limits<double>::epsilon());
 }
 
 TEST_CASE("with -ffast-math what lies out of range is still refused, except what is not a number") {

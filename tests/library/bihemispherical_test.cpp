@@ -20,12 +20,12 @@ nlohmann::json rows_of(const char* file) {
 }
 
 /// Value for a row of reference data, as a dielectric where k = 0.
-Integral<double> reflectance_of(const nlohmann::json& row, double tolerance, int most_bounces = all_bounces) {
+Integral<double> reflectance_of(const nlohmann::json& row, double tolerance, int max_bounces = all_bounces) {
   const Cavity<double> cavity(radians(row["aperture_deg"].get<double>()));
   const double n = row["n"];
   const double k = row["k"];
-  if (k == 0) return bihemispherical_reflectance(cavity, Dielectric<double>(n), tolerance, most_bounces);
-  return bihemispherical_reflectance(cavity, Conductor<double>(n, k), tolerance, most_bounces);
+  if (k == 0) return bihemispherical_reflectance(cavity, Dielectric<double>(n), tolerance, max_bounces);
+  return bihemispherical_reflectance(cavity, Conductor<double>(n, k), tolerance, max_bounces);
 }
 
 /// The same with the fields followed.

@@ -44,9 +44,8 @@ bool keeps(const EffectsPlan& plan, double tolerance) {
 double planned_diffuse(const EffectsPlan& plan, const Scene& scene) {
   return with_effects(plan, scene.cavity(), scene.n, scene.k, [&](const auto& cavity, const auto& facet) {
     using Real = std::remove_cvref_t<decltype(cavity.aperture())>;
-    return static_cast<double>(bihemispherical_reflectance(cavity, facet,
-                                                           static_cast<Real>(plan.bounds.quadrature),
-                                                           plan.most_bounces)
+    return static_cast<double>(bihemispherical_reflectance(
+                                   cavity, facet, static_cast<Real>(plan.bounds.quadrature), plan.max_bounces)
                                    .value);
   });
 }
@@ -55,7 +54,7 @@ double planned_directional(const EffectsPlan& plan, const Scene& scene, const Ve
   return with_effects(plan, scene.cavity(), scene.n, scene.k, [&](const auto& cavity, const auto& facet) {
     using Real = std::remove_cvref_t<decltype(cavity.aperture())>;
     return static_cast<double>(
-        unpolarized(directional_reflectance(cavity, Vec3<Real>(e), facet, plan.most_bounces)));
+        unpolarized(directional_reflectance(cavity, Vec3<Real>(e), facet, plan.max_bounces)));
   });
 }
 
@@ -68,14 +67,14 @@ TEST_CASE("a plan for diffuse light keeps its tolerance in thousands of random s
     const Scene scene = random_scene(random);
     const double tolerance = random_tolerance(random, 1e-5, 1e-1);
     const EffectsPlan plan = plan_effects(scene.cavity(), scene.facet(), tolerance, Illumination::diffuse);
-    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.most_bounces,
+    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.max_bounces,
             plan.single_precision);
     CHECK(keeps(plan, tolerance));
     const double full =
         bihemispherical_reflectance(scene.cavity(), polarized(scene.facet()), tolerance / 30).value;
     CHECK(std::abs(planned_diffuse(plan, scene) - full) <= plan.bounds.total() + tolerance / 30);
     unpolarized_plans += !plan.polarization;
-    cut_plans += plan.most_bounces != all_bounces;
+    cut_plans += plan.max_bounces != all_bounces;
     float_plans += plan.single_precision;
   }
   // Each effect is left out often enough for the check to mean something, but not always.
@@ -102,7 +101,7 @@ TEST_CASE("a plan for every direction keeps its tolerance in thousands of random
       const double full = unpolarized(directional_reflectance(scene.cavity(), e, polarized(scene.facet())));
       worst = std::max(worst, std::abs(planned_directional(plan, scene, e) - full));
     }
-    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.most_bounces,
+    CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance, plan.polarization, plan.max_bounces,
             plan.single_precision, plan.bounds.rounding);
     CHECK(worst <= plan.bounds.total());
     unpolarized_plans += !plan.polarization;
@@ -124,7 +123,7 @@ TEST_CASE("a looser tolerance never asks for more") {
         const EffectsPlan plan = plan_effects(scene.cavity(), scene.facet(), tolerance, illumination);
         CAPTURE(scene.aperture_deg, scene.n, scene.k, tolerance);
         CHECK(plan.polarization <= tighter.polarization);
-        CHECK(plan.most_bounces <= tighter.most_bounces);
+        CHECK(plan.max_bounces <= tighter.max_bounces);
         CHECK(plan.single_precision >= tighter.single_precision);
         tighter = plan;
       }
@@ -143,7 +142,7 @@ TEST_CASE("glass to a millionth needs all there is") {
   const EffectsPlan plan =
       plan_effects(Cavity<double>(radians(60.0)), Dielectric<double>(1.5), 1e-6, Illumination::diffuse);
   CHECK(plan.polarization);
-  CHECK(plan.most_bounces == all_bounces);
+  CHECK(plan.max_bounces == all_bounces);
   CHECK_FALSE(plan.single_precision);
 }
 

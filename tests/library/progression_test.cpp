@@ -58,9 +58,7 @@ Counted<Real> many_at_once(const Cavity<Real>& cavity, const Vec3<Real>& e, cons
 template <class Real>
 Counted<Real> one_by_one(const Cavity<Real>& cavity, const Vec3<Real>& e, const Conductor<Real>& facet) {
   long evaluations = 0;
-  const auto counted = [&](const PanelImages<Real>& bounce) {
-    return ++evaluations, facet(bounce.cos_theta_i());
-  };
+  const auto counted = [&](const Bounce<Real>& bounce) { return ++evaluations, facet(bounce.cosine); };
   const Real reflectance = directional_reflectance(cavity, e, counted);
   return {reflectance, evaluations};
 }
@@ -100,10 +98,10 @@ TEST_CASE("the narrowest grooves take no time, and their weights add up") {
       long evaluations = 0;
       double sum = 0;
       for_each_lobe(
-          cavity, direction(theta, 0.4), [&](double) { return ++evaluations, grey; }, all_bounces,
-          [&](const PanelImages<double>& last, double weight, double throughput) {
+          cavity, direction(theta, 0.4), [&](double) { return ++evaluations, grey; },
+          [&](const UnfoldedRay<double>& last, double weight, double throughput) {
             sum += weight;
-            CHECK(throughput == Approx(std::exp(std::log(grey) * last.bounce())).epsilon(1e-9));
+            CHECK(throughput == Approx(std::exp(std::log(grey) * last.number())).epsilon(1e-9));
           });
       CAPTURE(aperture, theta);
       CHECK(std::abs(sum - 1) < 1e-15);
@@ -118,7 +116,7 @@ TEST_CASE("many bounces at once do not pass the bounce at which rays begin to le
     const Cavity<double> cavity(pi<double>() / (250.07 + 0.15 * i));
     const Vec3<double> e = direction(0.0, 0.0);
     const auto at_once = lobes(cavity, e, [](double) { return 0.99; });
-    const auto apart = lobes(cavity, e, [](const PanelImages<double>&) { return 0.99; });
+    const auto apart = lobes(cavity, e, [](const Bounce<double>&) { return 0.99; });
     CAPTURE(i);
     REQUIRE(at_once.size() == apart.size());
     for (std::size_t lobe = 0; lobe < apart.size(); ++lobe) {

@@ -36,10 +36,10 @@ double closed_form_directional(const LightRay& ray, const Material& material) {
   });
 }
 
-double closed_form_hemispherical(double aperture, const Material& material, int most_bounces) {
+double closed_form_hemispherical(double aperture, const Material& material, int max_bounces) {
   return with_facet(material, [&](const auto& facet) {
     return vcavity::bihemispherical_reflectance(Cavity<double>(aperture), facet, quadrature_tolerance,
-                                                most_bounces)
+                                                max_bounces)
         .value;
   });
 }

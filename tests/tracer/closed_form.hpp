@@ -33,8 +33,8 @@ using DirectionalTheory = std::function<double(const LightRay&, const Material&)
 /// Stands for no limit to the number of bounces.
 inline constexpr int every_bounce = std::numeric_limits<int>::max();
 
-/// A theory of the reflectance under diffuse light; paths of more than `most_bounces` are left out.
-using HemisphericalTheory = std::function<double(double aperture, const Material&, int most_bounces)>;
+/// A theory of the reflectance under diffuse light; paths of more than `max_bounces` are left out.
+using HemisphericalTheory = std::function<double(double aperture, const Material&, int max_bounces)>;
 
 /// vcavity on one ray.
 RayAnswer closed_form_ray(const LightRay& ray, const Material& material);
@@ -43,6 +43,6 @@ RayAnswer closed_form_ray(const LightRay& ray, const Material& material);
 double closed_form_directional(const LightRay& ray, const Material& material);
 
 /// vcavity's bi-hemispherical reflectance, to 1e-9.
-double closed_form_hemispherical(double aperture, const Material& material, int most_bounces);
+double closed_form_hemispherical(double aperture, const Material& material, int max_bounces);
 
 }  // namespace agreement

@@ -139,7 +139,7 @@ std::vector<TracedHemisphere> trace_hemisphere(double aperture, std::span<const 
   for (const DiffuseQuantity& quantity : quantities) traced.push_back({aperture, quantity, {}});
   const auto ray_at = [&](const std::array<double, 3>& u) { return diffuse_ray(aperture, u); };
   const auto value = [](const TracedHemisphere& of, const tracer::Path& path) {
-    const bool counts = std::ssize(path.bounces) <= of.quantity.most_bounces;
+    const bool counts = std::ssize(path.bounces) <= of.quantity.max_bounces;
     return counts ? tracer::reflectance(path, of.quantity.material) : 0;
   };
   average(tracer::wide_groove_array(aperture), ray_at, value, traced, rays, seed);
@@ -164,9 +164,9 @@ std::vector<MeanComparison> compare(const HemisphericalTheory& theory,
   for (const auto& [aperture, quantity, mean] : traced) {
     std::ostringstream what;
     what << quantity.material.name << ", aperture " << degrees(aperture) << " deg, diffuse light";
-    if (quantity.most_bounces < every_bounce) what << ", at most " << quantity.most_bounces << " bounces";
-    comparisons.push_back({what.str(), theory(aperture, quantity.material, quantity.most_bounces),
-                           mean.mean(), mean.standard_error()});
+    if (quantity.max_bounces < every_bounce) what << ", at most " << quantity.max_bounces << " bounces";
+    comparisons.push_back({what.str(), theory(aperture, quantity.material, quantity.max_bounces), mean.mean(),
+                           mean.standard_error()});
   }
   return comparisons;
 }

@@ -45,11 +45,11 @@ struct TracedDirection {
 /// @param rays  per direction
 std::vector<TracedDirection> trace_directions(double aperture, std::int64_t rays, std::uint64_t seed);
 
-/// What is averaged under diffuse light: the reflectance of paths of at most `most_bounces`; longer ones
+/// What is averaged under diffuse light: the reflectance of paths of at most `max_bounces`; longer ones
 /// count as black.
 struct DiffuseQuantity {
   Material material;
-  int most_bounces = every_bounce;
+  int max_bounces = every_bounce;
 };
 
 /// A traced bi-hemispherical reflectance.

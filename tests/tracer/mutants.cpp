@@ -140,18 +140,18 @@ std::vector<Mutant<DirectionalTheory>> directional_mutants() {
 }
 
 std::vector<Mutant<HemisphericalTheory>> hemispherical_mutants() {
-  const auto reflectance = [](double aperture, const auto& facet, int most_bounces) {
-    return vcavity::bihemispherical_reflectance(Cavity<double>(aperture), facet, 1e-7, most_bounces).value;
+  const auto reflectance = [](double aperture, const auto& facet, int max_bounces) {
+    return vcavity::bihemispherical_reflectance(Cavity<double>(aperture), facet, 1e-7, max_bounces).value;
   };
   return {
       {"series cut off one bounce early",
-       [=](double aperture, const Material& material, int most_bounces) {
-         const int most = std::min(most_bounces, Cavity<double>(aperture).max_bounces());
+       [=](double aperture, const Material& material, int max_bounces) {
+         const int most = std::min(max_bounces, Cavity<double>(aperture).max_bounces());
          return reflectance(aperture, facet_of(material), most - 1);
        }},
       {"s polarisation in place of the average",
-       [=](double aperture, const Material& material, int most_bounces) {
-         return reflectance(aperture, perpendicular(material), most_bounces);
+       [=](double aperture, const Material& material, int max_bounces) {
+         return reflectance(aperture, perpendicular(material), max_bounces);
        }},
   };
 }

@@ -7,7 +7,9 @@
 /// After a bounce that absorbs A₁ of the light and reflects R₁, a second one absorbs R₁ A₂ more: sums of
 /// positive terms, never a difference of rounded numbers.
 
-#include <utility>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/facet_wrapper.hpp"
@@ -50,13 +52,6 @@ struct EnergyBalance {
   friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }
 };
 
-/// A facet that also knows its absorptance, as `Conductor` and `Dielectric` do.
-template <class Facet, class Real>
-concept AbsorbingFacet =
-    FacetReflectance<Facet, Real> && requires(const Facet& facet, const Real& cos_theta_i) {
-      { facet.absorptance(cos_theta_i) } -> std::convertible_to<value_t<Facet, Real>>;
-    };
-
 /// Facet reflectance that returns the energy balance of each bounce.
 template <class Facet>
 class EnergyBalanced : public FacetWrapper<EnergyBalanced, Facet> {
@@ -64,11 +59,12 @@ class EnergyBalanced : public FacetWrapper<EnergyBalanced, Facet> {
   using FacetWrapper<EnergyBalanced, Facet>::FacetWrapper;
   using FacetWrapper<EnergyBalanced, Facet>::facet;
 
-  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
-  template <class Real>
-    requires AbsorbingFacet<Facet, Real>
-  EnergyBalance<value_t<Facet, Real>> operator()(const Real& cos_theta_i) const {
-    return {facet()(cos_theta_i), facet().absorptance(cos_theta_i)};
+  /// @param bounce cosine of the angle of incidence in [0, 1], or a `Bounce`, whichever the facet asks for
+  template <class Argument>
+    requires std::invocable<const Facet&, const Argument&>
+  auto operator()(const Argument& bounce) const {
+    using Value = std::remove_cvref_t<std::invoke_result_t<const Facet&, const Argument&>>;
+    return EnergyBalance<Value>(facet()(bounce), facet().absorptance(bounce));
   }
 };
 

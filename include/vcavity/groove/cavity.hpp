@@ -22,6 +22,11 @@ namespace vcavity {
 template <class Real>
 class Cavity {
  public:
+  using value_type = Real;
+
+  /// The largest number of lobes of any direction.
+  static constexpr std::size_t max_lobes = 4;
+
   /// @param aperture the angle between the panels in (0, π]; π is a flat surface, and so is what rounding (4
   /// ε) has lifted above it
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
@@ -41,7 +46,7 @@ class Cavity {
     // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
     cos_half_ = cos(aperture_ / Real(2));
     if (cos_half_ < Real(0)) cos_half_ = Real(0);
-    max_bounces_ = most_bounces_at(aperture_);
+    max_bounces_ = bounces_at(aperture_);
     fill_multiples();
   }
 
@@ -97,7 +102,7 @@ class Cavity {
   int max_bounces() const { return max_bounces_; }
 
  private:
-  static int most_bounces_at(const Real& aperture) {
+  static int bounces_at(const Real& aperture) {
     using std::ceil;
     const Real count =
         ceil(pi<Real>() / aperture * (Real(1) - Real(4) * std::numeric_limits<Real>::epsilon()));

@@ -18,20 +18,17 @@ namespace vcavity {
 namespace detail {
 
 /// The sum of weight times `measure(throughput)` over the lobes of a direction.
-/// @param only if given, light that meets the other panel first is left out
-template <class Sum, class Real, class Facet, class Measure>
-VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Vec3<Real>& e,
-                                  const Facet& facet, int most_bounces, const Measure& measure,
-                                  std::optional<Panel> only = std::nullopt) {
+template <class Sum, class Groove, class Real, class Facet, class Measure>
+VCAVITY_INLINE Sum sum_over_lobes(const Groove& groove, const Vec3<Real>& e, const Facet& facet,
+                                  const Measure& measure, const Follow& follow) {
   using Value = value_t<Facet, Real>;
   Sum sum(0);
-  for_each_lobe(
-      cavity, e, facet, most_bounces,
-      [&](const PanelImages<Real>&, const Real& weight, const Value& throughput) {
-        if (cheaper_than_branch<Value> || any_positive(weight))
-          sum = sum + scaled(weight, measure(throughput));
-      },
-      DarkLight::merged, only);
+  for_each_lobe(groove, e, facet,
+                [&](const UnfoldedRay<Real>&, const Real& weight, const Value& throughput) {
+                  if (cheaper_than_branch<Value> || any_positive(weight))
+                    sum = sum + scaled(weight, measure(throughput));
+                },
+                {follow.max_bounces, DarkLight::merged, follow.only});
   return sum;
 }
 
@@ -39,60 +36,69 @@ VCAVITY_INLINE Sum sum_over_lobes(const Cavity<scalar_t<Real>>& cavity, const Ve
 
 /// Directional reflectance R(θ, φ), Eq. 20 without its quadrature.
 ///
-/// @tparam Real number type, or a `Pack` of numbers for as many directions at once, all with e.y ≥ 0; then
-/// the
-///         facet is one of packs too, see `over_directions`
+/// @param groove a `Cavity`, or another groove that can be unfolded
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0. Or a `Vec3` of a
-/// `Pack`:
-///        as many directions at once, all with e.y ≥ 0; then the facet is one of packs too, see
-///        `over_directions`
-/// @param facet facet reflectance, a function of the cosine of the angle of incidence
-/// @param most_bounces light that needs more bounces is left out
+///          `Pack`: as many directions at once, all with e.y ≥ 0; then the facet is one of packs too, see
+///          `over_directions`
+/// @param facet facet reflectance
+/// @param max_bounces light that needs more bounces is left out
 /// @return a value of the facet's type, or what its `power` makes of it
-template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
-  requires FacetReflectance<Facet, typename Direction::value_type>
-auto directional_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
-                             int most_bounces = all_bounces) {
+template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
+  requires UnfoldableGroove<Groove, typename Direction::value_type> &&
+           FacetReflectance<Facet, typename Direction::value_type>
+auto directional_reflectance(const Groove& groove, const Direction& e, const Facet& facet,
+                             int max_bounces = all_bounces) {
   using Real = typename Direction::value_type;
   return detail::sum_over_lobes<power_t<Facet, Real>>(
-      cavity, e, facet, most_bounces,
-      [](const value_t<Facet, Real>& throughput) { return power(throughput); });
+      groove, e, facet, [](const value_t<Facet, Real>& throughput) { return power(throughput); },
+      {.max_bounces = max_bounces});
 }
 
 /// Directional reflectance of unpolarised light in any model of polarisation: `unpolarized` of the
-/// directional reflectance, without computing what this leaves out of a Mueller matrix. The parameters are
-/// the same, and
+/// directional reflectance, without computing what this leaves out of a Mueller matrix.
+///
+/// @param groove a `Cavity`, or another groove that can be unfolded
+/// @param e direction towards the light, or towards the viewer under diffuse light, or a pack of them, as for
+///          `directional_reflectance`
+/// @param facet facet reflectance
+/// @param max_bounces light that needs more bounces is left out
 /// @param only if given, light that meets the other panel first is left out
-template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
-  requires FacetReflectance<Facet, typename Direction::value_type>
-auto unpolarized_reflectance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet,
-                             int most_bounces = all_bounces, std::optional<Panel> only = std::nullopt) {
+template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
+  requires UnfoldableGroove<Groove, typename Direction::value_type> &&
+           FacetReflectance<Facet, typename Direction::value_type>
+auto unpolarized_reflectance(const Groove& groove, const Direction& e, const Facet& facet,
+                             int max_bounces = all_bounces, std::optional<Panel> only = std::nullopt) {
   using Real = typename Direction::value_type;
   return detail::sum_over_lobes<unpolarized_t<Facet, Real>>(
-      cavity, e, facet, most_bounces,
-      [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); }, only);
+      groove, e, facet, [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); },
+      {.max_bounces = max_bounces, .only = only});
 }
 
 /// Directional absorptance 1 − R(θ, φ), and by Kirchhoff's law the directional emissivity; a sum of positive
 /// terms that keeps its digits where the reflectance is close to 1.
 ///
+/// @param groove a `Cavity`, or another groove that can be unfolded
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet facet reflectance with a member `absorptance`, such as `Conductor`
-template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
-  requires AbsorbingFacet<Facet, typename Direction::value_type>
-auto directional_absorptance(const Cavity<Scalar>& cavity, const Direction& e, const Facet& facet) {
-  return directional_reflectance(cavity, e, EnergyBalanced<Facet>(facet)).absorbed;
+template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
+  requires UnfoldableGroove<Groove, typename Direction::value_type> &&
+           AbsorbingFacet<Facet, typename Direction::value_type>
+auto directional_absorptance(const Groove& groove, const Direction& e, const Facet& facet) {
+  return directional_reflectance(groove, e, EnergyBalanced<Facet>(facet)).absorbed;
 }
 
 /// Mean number of bounces of the rays of a direction over the opening.
+/// @param groove a `Cavity`, or another groove that can be unfolded
 /// @param e direction towards the light, e.z ≥ 0
-template <class Real>
-Real mean_bounces(const Cavity<Real>& cavity, const Vec3<Real>& e) {
+template <class Groove>
+  requires UnfoldableGroove<Groove, scalar_t<Groove>>
+scalar_t<Groove> mean_bounces(const Groove& groove, const Vec3<scalar_t<Groove>>& e) {
+  using Real = scalar_t<Groove>;
   Real mean(0);
   for_each_lobe(
-      cavity, e, [](const Real&) { return Real(1); }, all_bounces,
-      [&](const PanelImages<Real>& last, const Real& weight, const Real&) {
-        mean += weight * Real(last.bounce());
+      groove, e, [](const Real&) { return Real(1); },
+      [&](const UnfoldedRay<Real>& last, const Real& weight, const Real&) {
+        mean += weight * Real(last.number());
       });
   return mean;
 }

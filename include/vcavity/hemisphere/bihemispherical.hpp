@@ -33,13 +33,13 @@ namespace vcavity {
 /// @param tolerance absolute error to aim at, > 0; what rounding forbids is not attempted, so that the error
 /// estimate
 ///        may come out larger (about 1e-15 in double)
-/// @param most_bounces light that needs more bounces is left out
+/// @param max_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
 /// @return the reflectance of unpolarised light
 template <class Real, FacetReflectance<Real> Facet>
 Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
     const Cavity<Real>& cavity, const Facet& facet, const scalar_t<unpolarized_t<Facet, Real>>& tolerance,
-    int most_bounces = all_bounces) {
+    int max_bounces = all_bounces) {
   using Scalar = scalar_t<unpolarized_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
@@ -47,7 +47,7 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
     throw std::invalid_argument(message.str());
   }
   const Scalar norm = Scalar(4) / pi<Scalar>();
-  detail::HemisphereQuadrature<Real, Facet> quadrature(cavity, facet, most_bounces);
+  detail::HemisphereQuadrature<Real, Facet> quadrature(cavity, facet, max_bounces);
   const auto part = quadrature(tolerance / norm);
   return {norm * part.value, norm * part.error, part.evaluations};
 }

@@ -26,17 +26,6 @@
 
 namespace vcavity::detail {
 
-/// The singularities of a facet reflectance in the plane of complex cosines; none if it does not tell.
-template <class Facet>
-std::vector<std::complex<double>> singular_cosines_of(const Facet& facet) {
-  if constexpr (requires { facet.singular_cosines(); }) {
-    const auto points = facet.singular_cosines();
-    return {points.begin(), points.end()};
-  } else {
-    return {};
-  }
-}
-
 /// A facet that counts how often it is asked.
 template <class Facet>
 struct CountedFacet {
@@ -55,9 +44,8 @@ struct CountedFacet {
 /// A facet that notes the angles between the direction and the panels, in the plane across the groove.
 template <class Real>
 struct AngleRecorder {
-  Real operator()(const PanelImages<Real>& bounce) const {
-    const double angle = std::atan2(static_cast<double>(bounce.normal_component()),
-                                    static_cast<double>(bounce.tangent_component()));
+  Real operator()(const Bounce<Real>& bounce) const {
+    const double angle = std::atan2(static_cast<double>(bounce.cosine), static_cast<double>(bounce.tangent));
     angles.push_back(angle);
     constexpr double nearly_one = 0.9;
     if (std::sin(angle) > nearly_one) ++upright;
@@ -94,10 +82,10 @@ class HemisphereQuadrature {
   using Value = unpolarized_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
 
-  HemisphereQuadrature(const Cavity<Real>& cavity, const Facet& facet, int most_bounces)
+  HemisphereQuadrature(const Cavity<Real>& cavity, const Facet& facet, int max_bounces)
       : cavity_(cavity),
         facet_(facet),
-        most_bounces_(most_bounces),
+        max_bounces_(max_bounces),
         critical_(critical_cosine_of<Real>(facet)),
         singular_cosines_(critical_ > Real(0) ? std::vector<std::complex<double>>{}
                                               : singular_cosines_of(facet)),
@@ -328,7 +316,7 @@ class HemisphereQuadrature {
     using std::sin;
     const Real middle = (cell.theta_low + cell.theta_high) / Real(2);
     AngleRecorder<Real> recorder;
-    unpolarized_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)}, recorder, most_bounces_,
+    unpolarized_reflectance(cavity_, Vec3<Real>{Real(0), sin(middle), cos(middle)}, recorder, max_bounces_,
                             Panel::one);
     return recorder;
   }
@@ -425,10 +413,10 @@ class HemisphereQuadrature {
       const auto facet = facet_.template over_directions<lanes>();
       const CountedFacet<decltype(facet)> counted{facet, &evaluations_, static_cast<int>(lanes)};
       // Packs want e.y ≥ 0; the mirror image of e meets panel two.
-      return unpolarized_reflectance(cavity_, Vec3<Reals>{e.x, magnitude(e.y), e.z}, counted, most_bounces_,
+      return unpolarized_reflectance(cavity_, Vec3<Reals>{e.x, magnitude(e.y), e.z}, counted, max_bounces_,
                                      e.y[0] < Real(0) ? Panel::two : Panel::one);
     } else {
-      return unpolarized_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1}, most_bounces_,
+      return unpolarized_reflectance(cavity_, e, CountedFacet<Facet>{facet_, &evaluations_, 1}, max_bounces_,
                                      Panel::one);
     }
   }
@@ -454,10 +442,10 @@ class HemisphereQuadrature {
   std::vector<Real> smooth_pieces(const Cell<Real>& cell, const Vec3<Real>& e) const {
     using std::acos;
     std::vector<Real> pieces{cell.psi_low, cell.psi_high};
-    for (PanelImages<Real> images(cavity_, e, Panel::one); images.bounce() <= cavity_.max_bounces();
-         images.advance()) {
-      if (!(images.normal_component() > critical_)) continue;
-      const Real psi = acos(critical_ / images.normal_component());
+    for (UnfoldedRay<Real> ray(cavity_, e, Panel::one); ray.number() <= cavity_.max_bounces();
+         ray.advance()) {
+      if (!(ray.normal_component() > critical_)) continue;
+      const Real psi = acos(critical_ / ray.normal_component());
       if (psi > cell.psi_low && psi < cell.psi_high) pieces.push_back(psi);
     }
     std::sort(pieces.begin(), pieces.end());
@@ -471,7 +459,7 @@ class HemisphereQuadrature {
 
   const Cavity<Real>& cavity_;
   const Facet& facet_;
-  int most_bounces_;
+  int max_bounces_;
   Real critical_;
   std::vector<std::complex<double>> singular_cosines_;  // known, and none of them in [0, 1]
   Convergence whole_along_;                             // from ψ = 0 to π/2

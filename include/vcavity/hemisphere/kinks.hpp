@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <vector>
 
@@ -61,18 +60,6 @@ std::vector<Real> kinks_across(const Cavity<Real>& cavity, const Real& critical_
   kinks.push_back(Real(0));
   sort_angles(kinks);
   return kinks;
-}
-
-/// The critical cosine of a facet; 0 if it has none or does not tell.
-template <class Real, class Facet>
-Real critical_cosine_of(const Facet& facet) {
-  if constexpr (requires {
-                  { facet.critical_cosine() } -> std::convertible_to<Real>;
-                }) {
-    return facet.critical_cosine();
-  } else {
-    return Real(0);
-  }
 }
 
 }  // namespace vcavity::detail

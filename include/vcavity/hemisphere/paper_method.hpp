@@ -8,7 +8,7 @@
 /// When not to use it: for results. `directional_reflectance` and `bihemispherical_reflectance` give the same
 /// limits without discretisation error and much faster (`vcavity_maps cost`).
 
-#include "vcavity/groove/bounces.hpp"
+#include "vcavity/groove/ray.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
 
 namespace vcavity::paper_method {
@@ -16,18 +16,18 @@ namespace vcavity::paper_method {
 /// Directional reflectance by the midpoint rule over the opening (Eq. 20).
 /// @param e direction towards the light, e.z ≥ 0
 /// @param positions number of rays across the opening, ≥ 1
-/// @param most_bounces rays of more bounces count as black
+/// @param max_bounces rays of more bounces count as black
 template <class Real, FacetReflectance<Real> Facet>
 power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
                                              const Facet& facet, int positions,
-                                             int most_bounces = all_bounces) {
+                                             int max_bounces = all_bounces) {
   using Value = power_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   Value sum(0);
   for (int i = 0; i < positions; ++i) {
     const Real position = (Real(2 * i + 1) - Real(positions)) / Real(positions);
     const RayPath path = ray_path(cavity, e, position);
-    if (path.bounces <= most_bounces) sum = sum + ray_reflectance(cavity, e, path, facet);
+    if (path.bounces <= max_bounces) sum = sum + ray_reflectance(cavity, e, path, facet);
   }
   return (Scalar(1) / Scalar(positions)) * sum;
 }
@@ -36,11 +36,11 @@ power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const V
 /// @param positions number of positions across the opening, ≥ 1
 /// @param polar number of polar angles θ in [0, π/2], ≥ 1
 /// @param azimuthal number of azimuths φ in [0, 2π), ≥ 1
-/// @param most_bounces rays of more bounces count as black
+/// @param max_bounces rays of more bounces count as black
 template <class Real, FacetReflectance<Real> Facet>
 power_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
                                                  int positions, int polar, int azimuthal,
-                                                 int most_bounces = all_bounces) {
+                                                 int max_bounces = all_bounces) {
   using std::cos;
   using std::sin;
   using Value = power_t<Facet, Real>;
@@ -53,7 +53,7 @@ power_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, con
     Value ring(0);
     for (int j = 0; j < azimuthal; ++j) {
       const Vec3<Real> e = direction(theta, Real((Real(j) + Real(0.5)) * phi_step));
-      ring = ring + paper_method::directional_reflectance(cavity, e, facet, positions, most_bounces);
+      ring = ring + paper_method::directional_reflectance(cavity, e, facet, positions, max_bounces);
     }
     sum = sum + static_cast<Scalar>(cos(theta) * sin(theta)) * ring;
   }

@@ -50,7 +50,7 @@ struct ErrorBounds {
 /// The cheapest way to a reflectance within a tolerance.
 struct EffectsPlan {
   bool polarization;      ///< whether polarisation has to be followed
-  int most_bounces;       ///< bounces that count, or `all_bounces`
+  int max_bounces;        ///< bounces that count, or `all_bounces`
   bool single_precision;  ///< whether float suffices
   ErrorBounds bounds;     ///< what this leaves out
 };
@@ -259,7 +259,7 @@ EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, doubl
   const auto reachable = static_cast<std::size_t>(cavity.max_bounces());
   for (std::size_t most = 1; most <= detail::longest_cutoff && most < reachable; ++most) {
     if (errors[most - 1] > share) continue;
-    plan.most_bounces = static_cast<int>(most);
+    plan.max_bounces = static_cast<int>(most);
     plan.bounds.bounces = errors[most - 1];
     break;
   }
@@ -291,7 +291,7 @@ auto follow_plan(const EffectsPlan& plan, const Cavity<double>& cavity, const Fa
 ///     const double reflectance = with_effects(plan, groove, n, k, [&](const auto& cavity, const auto& facet)
 ///     {
 ///       return double{unpolarized(directional_reflectance(cavity, e_in_its_type, facet,
-///       plan.most_bounces))};
+///       plan.max_bounces))};
 ///     });
 ///
 /// @param n, k complex index of the facets, as `Conductor` takes it

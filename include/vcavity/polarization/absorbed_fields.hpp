@@ -99,8 +99,8 @@ class FieldBalanced {
   /// The balance of a bounce, from the axes of the light that meets the panel to those of the light that
   /// leaves it.
   template <class Real>
-  auto operator()(const PanelImages<Real>& bounce) const {
-    const auto [s, p] = facet_.facet().absorptances(bounce.cos_theta_i());
+  auto operator()(const Bounce<Real>& bounce) const {
+    const auto [s, p] = facet_.facet().absorptances(bounce.cosine);
     const IncidencePlane<Real> plane(bounce);
     const auto part = [d = p - s](const Real& share) { return scaled(share, d); };
     using Value = decltype(part(plane.aa));
@@ -114,12 +114,23 @@ class FieldBalanced {
 
 /// Directional absorptance with fields followed exactly; `unpolarized` of it is that of unpolarised light,
 /// and by Kirchhoff's law the emissivity.
+/// @param groove a `Cavity`, or another groove that can be unfolded
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet a `polarized` facet with a member `absorptances`, such as `Conductor`
-template <class Scalar, class Facet, class Direction = Vec3<Scalar>>
-auto directional_absorptance(const Cavity<Scalar>& cavity, const Direction& e,
-                             const Polarized<Facet>& facet) {
-  return directional_reflectance(cavity, e, FieldBalanced<Facet>(facet));
+template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
+auto directional_absorptance(const Groove& groove, const Direction& e, const Polarized<Facet>& facet) {
+  return directional_reflectance(groove, e, FieldBalanced<Facet>(facet));
+}
+
+/// The same for a groove of two materials.
+/// @param groove a `Cavity`, or another groove that can be unfolded
+/// @param e direction towards the light or the observer, e.z ≥ 0
+/// @param facets `polarized` facets with a member `absorptances`
+template <class Groove, class One, class Two, class Direction = Vec3<scalar_t<Groove>>>
+auto directional_absorptance(const Groove& groove, const Direction& e,
+                             const PanelFacets<Polarized<One>, Polarized<Two>>& facets) {
+  return directional_reflectance(groove, e,
+                                 PanelFacets{FieldBalanced<One>(facets.one), FieldBalanced<Two>(facets.two)});
 }
 
 }  // namespace vcavity

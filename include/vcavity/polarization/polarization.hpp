@@ -24,20 +24,15 @@
 #include <limits>
 #include <utility>
 
+#include "vcavity/facet/bounce.hpp"
+#include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/facet_wrapper.hpp"
 #include "vcavity/facet/fresnel.hpp"
-#include "vcavity/groove/bounces.hpp"
+#include "vcavity/facet/panel_facets.hpp"
 #include "vcavity/numbers/inline.hpp"
 #include "vcavity/polarization/mueller.hpp"
 
 namespace vcavity {
-
-/// A facet that knows its amplitudes, as `Conductor` and `Dielectric` do.
-template <class Facet, class Real>
-concept FieldReflector = requires(const Facet& facet, const Real& cos_theta_i) {
-  facet.amplitudes(cos_theta_i).r_s;
-  facet.amplitudes(cos_theta_i).r_p;
-};
 
 /// Reflectances of s and of p light, multiplied and added on their own.
 template <class Value>
@@ -121,9 +116,9 @@ struct IncidencePlane {
   Real aa, ab, bb;
 
   /// Next to 0 where there is no such plane, as at normal incidence; nothing depends on it then.
-  explicit IncidencePlane(const PanelImages<Real>& bounce) {
-    Real p_a = bounce.along_component() * bounce.normal_component();
-    Real p_b = bounce.panel() == Panel::one ? bounce.tangent_component() : Real(-bounce.tangent_component());
+  explicit IncidencePlane(const Bounce<Real>& bounce) {
+    Real p_a = bounce.along * bounce.cosine;
+    Real p_b = bounce.panel == Panel::one ? bounce.tangent : Real(-bounce.tangent);
     // Almost along the groove both are so small that their squares would vanish; only their ratio counts.
     using Scalar = scalar_t<Real>;
     const Scalar small = detail::smallest_cosine<Scalar>();
@@ -149,8 +144,8 @@ class Polarized : public FacetWrapper<Polarized, Facet> {
   /// leaves it.
   template <class Real>
     requires FieldReflector<Facet, Real>
-  VCAVITY_INLINE auto operator()(const PanelImages<Real>& bounce) const {
-    return jones(facet().amplitudes(bounce.cos_theta_i()), IncidencePlane<Real>(bounce));
+  VCAVITY_INLINE auto operator()(const Bounce<Real>& bounce) const {
+    return jones(facet().amplitudes(bounce.cosine), IncidencePlane<Real>(bounce));
   }
 
  private:
@@ -182,6 +177,21 @@ SeparatelyPolarized<Facet> separately_polarized(Facet facet) {
 template <class Facet>
 Polarized<Facet> polarized(Facet facet) {
   return Polarized<Facet>(std::move(facet));
+}
+
+/// The same for a groove of two materials.
+/// @param facets one for each panel
+template <class One, class Two>
+auto separately_polarized(PanelFacets<One, Two> facets) {
+  return PanelFacets{separately_polarized(std::move(facets.one)),
+                     separately_polarized(std::move(facets.two))};
+}
+
+/// The same for a groove of two materials.
+/// @param facets one for each panel
+template <class One, class Two>
+auto polarized(PanelFacets<One, Two> facets) {
+  return PanelFacets{polarized(std::move(facets.one)), polarized(std::move(facets.two))};
 }
 
 }  // namespace vcavity

@@ -22,6 +22,7 @@
 #include <optional>
 
 #include "vcavity/groove/lobes.hpp"
+#include "vcavity/groove/ray.hpp"
 #include "vcavity/groove/reflectance.hpp"
 
 namespace vcavity {
@@ -57,9 +58,9 @@ bool is_above_horizon(const Vec3<Real>& direction) {
 }
 
 /// Moves directions that rounding has put below the horizon back onto it.
-template <class Real, class Value>
-Lobes<Real, Value> raised_to_horizon(const Lobes<Real, Value>& below) {
-  Lobes<Real, Value> raised;
+template <class Real, class Value, std::size_t capacity>
+Lobes<Real, Value, capacity> raised_to_horizon(const Lobes<Real, Value, capacity>& below) {
+  Lobes<Real, Value, capacity> raised;
   for (Lobe<Real, Value> lobe : below) {
     lobe.direction.z = at_least(lobe.direction.z, Real(0));
     raised.push_back(lobe);
@@ -77,8 +78,8 @@ Value transported(const Value& from_wo, Transport transport) {
 /// The index that u selects. Never one of probability 0, whatever rounding has left of the sum.
 /// @param u in [0, 1]
 /// @return an index below `size`, or `size` when all probabilities are 0
-template <class Real>
-std::size_t choose(const std::array<Real, 4>& probabilities, std::size_t size, Real u) {
+template <class Real, std::size_t capacity>
+std::size_t choose(const std::array<Real, capacity>& probabilities, std::size_t size, Real u) {
   std::size_t chosen = size;
   for (std::size_t i = 0; i < size; ++i) {
     if (!(probabilities[i] > Real(0))) continue;
@@ -94,35 +95,42 @@ std::size_t choose(const std::array<Real, 4>& probabilities, std::size_t size, R
 /// BSDF of specular V-grooves: discrete directions, whose probabilities are exact.
 /// @tparam Facet facet reflectance; its value may be a number, RGB, a `Pack` of wavelengths, …; with
 ///         `Polarized` weights are Mueller matrices in the axes of conventions.hpp
-template <class Real, FacetReflectance<Real> Facet>
+/// @tparam Groove its shape: a `Cavity`, or another groove that can be unfolded
+template <class Real, FacetReflectance<Real> Facet, UnfoldableGroove<Real> Groove = Cavity<Real>>
 class GrooveBsdf {
  public:
+  /// As many numbers as a direction may have lobes.
+  using Probabilities = std::array<Real, Groove::max_lobes>;
   using Value = power_t<Facet, Real>;
   using Throughput = value_t<Facet, Real>;
 
+  /// @param groove its shape
   /// @param facet facet reflectance
-  /// @param most_bounces light that needs more bounces is lost
-  GrooveBsdf(const Cavity<Real>& cavity, const Facet& facet, LobeChoice choice = LobeChoice::by_energy,
-             int most_bounces = all_bounces)
-      : cavity_(cavity), facet_(facet), choice_(choice), most_bounces_(most_bounces) {}
+  /// @param choice with which probability `sample` draws a lobe
+  /// @param max_bounces light that needs more bounces is lost
+  GrooveBsdf(const Groove& groove, const Facet& facet, LobeChoice choice = LobeChoice::by_energy,
+             int max_bounces = all_bounces)
+      : groove_(groove), facet_(facet), choice_(choice), max_bounces_(max_bounces) {}
 
-  /// The complete BSDF of a direction: at most four lobes; none below the horizon.
+  /// The complete BSDF of a direction: at most `max_lobes` of the groove; none below the horizon.
   /// @param wo unit vector away from the surface, where the light of the throughputs comes from
-  Lobes<Real, Throughput> lobes(const Vec3<Real>& wo) const { return lobes_of(wo, facet_); }
+  Lobes<Real, Throughput, Groove::max_lobes> lobes(const Vec3<Real>& wo) const {
+    return lobes_of(wo, facet_);
+  }
 
   /// Directional albedo, the reflectance for light from `wo` or, `reversed`, seen from `wo` in diffuse light;
   /// 0 below the horizon.
   /// @param wo unit vector away from the surface
   Value albedo(const Vec3<Real>& wo) const {
     if (!detail::is_above_horizon(wo)) return Value(0);
-    return directional_reflectance(cavity_, wo, facet_, most_bounces_);
+    return directional_reflectance(groove_, wo, facet_, max_bounces_);
   }
 
   /// The probabilities with which `sample` draws these lobes, in their order.
   /// @return as many numbers as there are lobes, which add up to 1; all 0 if no light is left
   template <class AnyValue>
-  std::array<Real, 4> probabilities(const Lobes<Real, AnyValue>& lobes) const {
-    std::array<Real, 4> result{};
+  Probabilities probabilities(const Lobes<Real, AnyValue, Groove::max_lobes>& lobes) const {
+    Probabilities result{};
     Real sum(0);
     for (std::size_t i = 0; i < lobes.size(); ++i) {
       result[i] = lobes[i].weight;
@@ -147,7 +155,7 @@ class GrooveBsdf {
     }
     const auto candidates = lobes_of(wo, [](const Real&) { return Real(1); });
     return drawn(candidates, u, transport, [&](const Lobe<Real, Real>& lobe) {
-      return ray_reflectance(cavity_, wo, RayPath{lobe.first_panel, lobe.bounces}, facet_);
+      return ray_reflectance(groove_, wo, RayPath{lobe.first_panel, lobe.bounces}, facet_);
     });
   }
 
@@ -160,16 +168,18 @@ class GrooveBsdf {
 
  private:
   template <class AnyFacet>
-  Lobes<Real, value_t<AnyFacet, Real>> lobes_of(const Vec3<Real>& wo, const AnyFacet& facet) const {
+  Lobes<Real, value_t<AnyFacet, Real>, Groove::max_lobes> lobes_of(const Vec3<Real>& wo,
+                                                                   const AnyFacet& facet) const {
     if (!detail::is_above_horizon(wo)) return {};
-    return detail::raised_to_horizon(vcavity::lobes(cavity_, wo, facet, most_bounces_));
+    return detail::raised_to_horizon(vcavity::lobes(groove_, wo, facet, max_bounces_));
   }
 
   /// @param reflectance_of gives the reflectance along the lobe that was drawn
   template <class AnyValue, class ReflectanceOf>
-  std::optional<BsdfSample<Real, Value>> drawn(const Lobes<Real, AnyValue>& candidates, const Real& u,
-                                               Transport transport, ReflectanceOf&& reflectance_of) const {
-    const std::array<Real, 4> odds = probabilities(candidates);
+  std::optional<BsdfSample<Real, Value>> drawn(const Lobes<Real, AnyValue, Groove::max_lobes>& candidates,
+                                               const Real& u, Transport transport,
+                                               ReflectanceOf&& reflectance_of) const {
+    const Probabilities odds = probabilities(candidates);
     const std::size_t i = detail::choose(odds, candidates.size(), u);
     if (i == candidates.size()) return std::nullopt;
     const Lobe<Real, AnyValue>& lobe = candidates[i];
@@ -179,10 +189,14 @@ class GrooveBsdf {
                                    odds[i], lobe.first_panel, lobe.bounces};
   }
 
-  Cavity<Real> cavity_;
+  Groove groove_;
   Facet facet_;
   LobeChoice choice_;
-  int most_bounces_;
+  int max_bounces_;
 };
+
+template <class Groove, class Facet>
+GrooveBsdf(const Groove&, const Facet&, LobeChoice = LobeChoice::by_energy, int = all_bounces)
+    -> GrooveBsdf<scalar_t<Groove>, Facet, Groove>;
 
 }  // namespace vcavity

@@ -17,7 +17,7 @@
 namespace vcavity {
 
 /// BSDF of V-grooves with lobes of a finite width; its interface is that of `GrooveBsdf`.
-template <class Real, FacetReflectance<Real> Facet>
+template <class Real, FacetReflectance<Real> Facet, UnfoldableGroove<Real> Groove = Cavity<Real>>
 class SpreadGrooveBsdf {
  public:
   using Value = power_t<Facet, Real>;
@@ -26,7 +26,7 @@ class SpreadGrooveBsdf {
   /// @param grooves the BSDF of infinitely narrow lobes
   /// @param width of each lobe, in radians, in (0, 10]; see `VonMisesFisher`
   /// @throws std::invalid_argument when the width is out of range
-  SpreadGrooveBsdf(const GrooveBsdf<Real, Facet>& grooves, const Real& width)
+  SpreadGrooveBsdf(const GrooveBsdf<Real, Facet, Groove>& grooves, const Real& width)
       : grooves_(grooves), spread_(width) {}
 
   /// Directional albedo, that of the grooves.
@@ -86,14 +86,16 @@ class SpreadGrooveBsdf {
     return spread_.density(mean, wi) + spread_.density(mean, {wi.x, wi.y, -wi.z});
   }
 
-  Real density(const Lobes<Real, Throughput>& lobes, const std::array<Real, 4>& odds,
-               const Vec3<Real>& wi) const {
+  using Grooves = GrooveBsdf<Real, Facet, Groove>;
+
+  Real density(const Lobes<Real, Throughput, Groove::max_lobes>& lobes,
+               const typename Grooves::Probabilities& odds, const Vec3<Real>& wi) const {
     Real sum(0);
     for (std::size_t i = 0; i < lobes.size(); ++i) sum += odds[i] * density(lobes[i].direction, wi);
     return sum;
   }
 
-  GrooveBsdf<Real, Facet> grooves_;
+  Grooves grooves_;
   VonMisesFisher<Real> spread_;
 };
 

@@ -218,8 +218,8 @@ void add_effects(CLI::App& command, EffectsOptions& effects) {
       ->needs(choice);
 }
 
-void add_max_bounces(CLI::App& command, int& most_bounces) {
-  add_count(command, "--max-bounces", most_bounces, 1, std::numeric_limits<int>::max(),
+void add_max_bounces(CLI::App& command, int& max_bounces) {
+  add_count(command, "--max-bounces", max_bounces, 1, std::numeric_limits<int>::max(),
             "leave out light that needs more bounces (default: all bounces)")
       ->type_name("K");
 }

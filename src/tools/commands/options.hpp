@@ -137,6 +137,6 @@ struct EffectsOptions {
 void add_effects(CLI::App& command, EffectsOptions& effects);
 
 /// Adds --max-bounces; unlimited unless given.
-void add_max_bounces(CLI::App& command, int& most_bounces);
+void add_max_bounces(CLI::App& command, int& max_bounces);
 
 }  // namespace vcavity::tools

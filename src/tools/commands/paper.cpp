@@ -46,11 +46,11 @@ struct NamedMap {
 };
 
 DiscMapper mapper_for(const char* material, int aperture_deg, int size, std::vector<double> wavelengths_nm,
-                      int most_bounces = all_bounces) {
+                      int max_bounces = all_bounces) {
   return DiscMapper({{load_material(material), static_cast<double>(aperture_deg)},
                      std::move(wavelengths_nm),
                      size,
-                     most_bounces,
+                     max_bounces,
                      Quantity::reflectance,
                      Spectrum::colour_only});
 }

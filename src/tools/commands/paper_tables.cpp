@@ -50,12 +50,12 @@ PaperTables compute_paper_tables() {
                            std::to_string(midpoint_azimuthal) + " azimuthal angles"};
 
   const auto add_row = [](TextTable& table, std::vector<std::string> row, const RefractiveIndex& index,
-                          double aperture_deg, int most_bounces, double printed) {
+                          double aperture_deg, int max_bounces, double printed) {
     const Cavity<double> cavity(radians(aperture_deg));
     return with_facet(index, [&](const auto& facet) {
-      const auto exact_value = bihemispherical_reflectance(cavity, facet, tolerance, most_bounces);
+      const auto exact_value = bihemispherical_reflectance(cavity, facet, tolerance, max_bounces);
       const double midpoint = paper_method::bihemispherical_reflectance(
-          cavity, facet, midpoint_positions, midpoint_polar, midpoint_azimuthal, most_bounces);
+          cavity, facet, midpoint_positions, midpoint_polar, midpoint_azimuthal, max_bounces);
       append(row, comparison(printed, exact_value.value, exact_value.error, midpoint));
       table.rows.push_back(row);
       return exact_value.value;

@@ -50,7 +50,7 @@ Row computed(const TableOptions& options, const SurfaceAtWavelength& at) {
 Row planned(const TableOptions& options, const SurfaceAtWavelength& at) {
   const auto surface = make_surface(at.surface, at.wavelength_nm, options.light);
   const EffectsPlan plan = surface->plan(options.tolerance, Illumination::diffuse);
-  const LightModel light{plan.polarization ? Polarization::full : Polarization::none, plan.most_bounces};
+  const LightModel light{plan.polarization ? Polarization::full : Polarization::none, plan.max_bounces};
   if (options.effects.explain)
     return {at, surface->index(), light, {std::nan(""), plan.bounds.total(), 0}, plan};
   return {at, surface->index(), light, surface->bihemispherical(plan), plan};

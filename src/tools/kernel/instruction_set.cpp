@@ -33,11 +33,11 @@ void with_quantity(const KernelJob& job, const Cavity& cavity, const Facet& face
     } else if (job.quantity == Quantity::degree_of_polarization) {
       if constexpr (!std::is_same_v<Model, Facet>)
         use([&](const auto& e) VCAVITY_INLINED {
-          return diattenuation(directional_reflectance(cavity, e, model, job.most_bounces));
+          return diattenuation(directional_reflectance(cavity, e, model, job.max_bounces));
         });
     } else {
       use([&](const auto& e)
-              VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.most_bounces); });
+              VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
     }
   });
 }
@@ -102,11 +102,11 @@ void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
                &job.values[direction * job.indices.size() + start]);
   };
   if (job.quantity == Quantity::reflectance && job.polarization == Polarization::none) {
-    Itinerary<Real> itinerary;
+    RecordedDirection<Real> recorded;
     for (std::size_t i = 0; i < job.directions.size(); ++i) {
-      itinerary.follow(cavity, Vec3<Real>(job.directions[i]), job.most_bounces);
+      recorded.follow(cavity, Vec3<Real>(job.directions[i]), job.max_bounces);
       for (std::size_t pack = 0; pack < facets.size(); ++pack)
-        store(i, pack, itinerary.reflectance(facets[pack]));
+        store(i, pack, recorded.reflectance(facets[pack]));
     }
   } else {
     for (std::size_t pack = 0; pack < facets.size(); ++pack)

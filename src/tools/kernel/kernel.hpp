@@ -41,7 +41,7 @@ struct KernelJob {
   double aperture;    ///< radians
   Quantity quantity;  ///< not `bounces`
   Polarization polarization;
-  int most_bounces;
+  int max_bounces;
   std::span<const RefractiveIndex> indices;  ///< one for each wavelength
   const Directions& directions;              ///< all with e.y ≥ 0; the groove is its own mirror image
   std::span<double> values;                  ///< result: those of the first direction, then of the second, …

@@ -28,7 +28,7 @@ MapPlan plan_reflectance(MapRequest request, double tolerance) {
                                         {request.polarization, request.max_bounces})
                                ->plan(tolerance, Illumination::collimated);
   request.polarization = plan.polarization ? Polarization::full : Polarization::none;
-  request.max_bounces = plan.most_bounces;
+  request.max_bounces = plan.max_bounces;
   request.precision = plan.single_precision ? Precision::single_precision : Precision::double_precision;
   return {std::move(request), in_words(plan), plan.bounds.total()};
 }
@@ -126,9 +126,9 @@ std::string in_words(const EffectsPlan& plan) {
   std::string words = "polarisation ";
   words.append(plan.polarization ? "followed" : "left out (" + bound_in_words(plan.bounds.polarization) + ")")
       .append(", ")
-      .append(plan.most_bounces == all_bounces ? "all bounces"
-                                               : "at most " + std::to_string(plan.most_bounces) +
-                                                     " bounces (" + bound_in_words(plan.bounds.bounces) + ")")
+      .append(plan.max_bounces == all_bounces ? "all bounces"
+                                              : "at most " + std::to_string(plan.max_bounces) + " bounces (" +
+                                                    bound_in_words(plan.bounds.bounces) + ")")
       .append(plan.single_precision ? ", float (" : ", double (")
       .append(bound_in_words(plan.bounds.rounding))
       .append(")");

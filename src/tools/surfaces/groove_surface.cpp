@@ -64,7 +64,7 @@ class GrooveSurface final : public Surface {
     const auto integrate = [&](const auto& shape, const auto& facet) {
       using Real = std::remove_cvref_t<decltype(shape.aperture())>;
       const auto integral = bihemispherical_reflectance(
-          shape, facet, static_cast<Real>(plan.bounds.quadrature), plan.most_bounces);
+          shape, facet, static_cast<Real>(plan.bounds.quadrature), plan.max_bounces);
       return Integral<double>{static_cast<double>(integral.value), plan.bounds.total(), integral.evaluations};
     };
     if constexpr (std::is_same_v<Facet, Coated<Conductor<double>>>)

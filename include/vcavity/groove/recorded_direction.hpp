@@ -13,28 +13,29 @@ namespace vcavity {
 
 /// @tparam Real number type of the direction; facets may return any value
 template <class Real>
-class Itinerary {
+class RecordedDirection {
  public:
-  Itinerary() = default;
+  RecordedDirection() = default;
 
   /// The same as `follow`.
-  Itinerary(const Cavity<Real>& cavity, const Vec3<Real>& e, int most_bounces = all_bounces) {
-    follow(cavity, e, most_bounces);
+  RecordedDirection(const Cavity<Real>& cavity, const Vec3<Real>& e, int max_bounces = all_bounces) {
+    follow(cavity, e, max_bounces);
   }
 
   /// Notes down another direction, in the memory of the one before.
   /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
-  /// @param most_bounces lobes of more bounces are left out
-  void follow(const Cavity<Real>& cavity, const Vec3<Real>& e, int most_bounces = all_bounces) {
+  /// @param max_bounces lobes of more bounces are left out
+  void follow(const Cavity<Real>& cavity, const Vec3<Real>& e, int max_bounces = all_bounces) {
     bounces_.clear();
-    const auto note = [this](const PanelImages<Real>& bounce) {
-      bounces_.push_back({bounce.cos_theta_i(), Real(0), bounce.bounce()});
+    const auto note = [this](const Bounce<Real>& bounce) {
+      bounces_.push_back({bounce.cosine, Real(0), bounce.number});
       return Real(1);
     };
-    for_each_lobe(cavity, e, note, most_bounces,
-                  [this](const PanelImages<Real>&, const Real& weight, const Real&) {
+    for_each_lobe(cavity, e, note,
+                  [this](const UnfoldedRay<Real>&, const Real& weight, const Real&) {
                     bounces_.back().weight = weight;
-                  });
+                  },
+                  {.max_bounces = max_bounces});
   }
 
   /// The directional reflectance of a facet, the same number as `directional_reflectance`.
@@ -45,22 +46,22 @@ class Itinerary {
     using Value = value_t<Facet, Real>;
     Value reflectance(0);
     Value throughput(1);
-    for (const Bounce& bounce : bounces_) {
+    for (const Recorded& bounce : bounces_) {
       if (bounce.number == 1) throughput = Value(1);
-      if (!is_dark(throughput, bounce.number)) throughput = throughput * facet(bounce.cos_theta_i);
+      if (!is_dark(throughput, bounce.number)) throughput = throughput * facet(bounce.cosine);
       if (bounce.weight > Real(0)) reflectance = reflectance + scaled(bounce.weight, throughput);
     }
     return reflectance;
   }
 
  private:
-  struct Bounce {
-    Real cos_theta_i;
+  struct Recorded {
+    Real cosine;  // of the angle of incidence
     Real weight;  // of the lobe that ends here
     int number;   // from 1 on, for either first panel
   };
 
-  std::vector<Bounce> bounces_;
+  std::vector<Recorded> bounces_;
 };
 
 }  // namespace vcavity
