@@ -38,6 +38,7 @@
 #include "vcavity/groove/lobes.hpp"
 #include "vcavity/groove/reflectance.hpp"
 #include "vcavity/groove/recorded_direction.hpp"
+#include "vcavity/groove/asymmetric_groove.hpp"
 // polarization/: light as a transverse wave.
 #include "vcavity/polarization/jones.hpp"
 #include "vcavity/polarization/mueller.hpp"
@@ -47,6 +48,18 @@
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
 #include "vcavity/hemisphere/paper_method.hpp"
+#include "vcavity/hemisphere/adaptive_hemisphere.hpp"
+#include "vcavity/hemisphere/asymmetric_bihemispherical.hpp"
+// profiles/: grooves with more faces than two panels.
+#include "vcavity/profiles/face_path.hpp"
+#include "vcavity/profiles/face_facets.hpp"
+#include "vcavity/profiles/profile.hpp"
+#include "vcavity/profiles/truncated_groove.hpp"
+#include "vcavity/profiles/trench.hpp"
+#include "vcavity/profiles/land.hpp"
+#include "vcavity/profiles/smooth_ranges.hpp"
+#include "vcavity/profiles/bihemispherical.hpp"
+#include "vcavity/profiles/rounding.hpp"
 // matte/: panels that reflect by Lambert's law.
 #include "vcavity/matte/interreflection_kernel.hpp"
 #include "vcavity/matte/panel_exchange.hpp"

@@ -27,11 +27,12 @@ void intersect(RTCScene scene, RTCRayHit& ray) {
 // A filter that belongs to the geometry works alike in both versions of Embree and needs no scene flag.
 void reject_lower_side(const RTCFilterFunctionNArguments* candidate) {
   RTCRayN* ray = candidate->ray;
-  RTCHitN* hit = candidate->hit;
   const unsigned n = candidate->N;
-  const float normal_y = RTCHitN_Ng_y(hit, n, 0), normal_z = RTCHitN_Ng_z(hit, n, 0);
-  const float rise = RTCRayN_dir_y(ray, n, 0) * normal_y + RTCRayN_dir_z(ray, n, 0) * normal_z;
-  if (normal_z > 0 ? rise > 0 : rise < 0) candidate->valid[0] = 0;
+  // Which side is which the relief says; the normal that Embree has depends on the order of corners.
+  const auto& relief = *static_cast<const Relief*>(candidate->geometryUserPtr);
+  const std::size_t panel = RTCHitN_primID(candidate->hit, n, 0);
+  const glm::dvec2 along = relief.profile[panel + 1] - relief.profile[panel];
+  if (RTCRayN_dir_z(ray, n, 0) * along.x - RTCRayN_dir_y(ray, n, 0) * along.y > 0) candidate->valid[0] = 0;
 }
 
 void check(RTCDevice device) {
@@ -59,6 +60,7 @@ RTCGeometry make_quads(RTCDevice device, const Relief& relief) {
     // Neighbours share their vertices, so that no ray slips through between them.
     for (const unsigned corner : {0U, 1U, 3U, 2U}) *index++ = 2 * panel + corner;
   }
+  rtcSetGeometryUserData(quads, const_cast<Relief*>(&relief));
   rtcSetGeometryIntersectFilterFunction(quads, reject_lower_side);
   rtcCommitGeometry(quads);
   return quads;
@@ -70,12 +72,13 @@ EmbreeScene::EmbreeScene(const Relief& relief) {
   const RTCDevice device = rtcNewDevice("threads=1");
   if (!device) throw std::runtime_error("Embree gives no device");
   const RTCScene scene = rtcNewScene(device);
-  scene_ = std::shared_ptr<void>(scene, [device](void* held) {
+  const auto kept_relief = std::make_shared<const Relief>(relief);
+  scene_ = std::shared_ptr<void>(scene, [device, kept_relief](void* held) {
     rtcReleaseScene(static_cast<RTCScene>(held));
     rtcReleaseDevice(device);
   });
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  const RTCGeometry quads = make_quads(device, relief);
+  const RTCGeometry quads = make_quads(device, *kept_relief);
   rtcAttachGeometry(scene, quads);
   rtcReleaseGeometry(quads);
   rtcCommitScene(scene);

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 
 #include "support/catch.hpp"
 #include "tracer/comparisons.hpp"
+#include "tracer/requested_rays.hpp"
 
 using namespace agreement;
 
 namespace {
-
-// Spread over all apertures; VCAVITY_TRACER_RAYS=1e8 asks for more.
-std::int64_t number_of_rays() {
-  const char* wish = std::getenv("VCAVITY_TRACER_RAYS");
-  const double rays = wish ? std::stod(wish) : 1.1e6;
-  if (!(rays >= 1 && rays <= 1e12))
-    throw std::invalid_argument("VCAVITY_TRACER_RAYS=" + std::string(wish) +
-                                ": expected a number from 1 to 1e12");
-  return std::llround(rays);
-}
 
 // Divisors of 180 degrees, where all rays of a direction may bounce equally often, and apertures between
 // them.

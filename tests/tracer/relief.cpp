@@ -32,4 +32,22 @@ Relief groove_array(double aperture, int grooves, double length) {
   return relief;
 }
 
+Relief profile_array(const std::vector<glm::dvec2>& period, int grooves, double length) {
+  if (period.size() < 2) throw std::invalid_argument("a cross-section of less than two points");
+  if (grooves < 1 || grooves % 2 == 0)
+    throw std::invalid_argument(std::to_string(grooves) + " grooves: expected an odd number");
+  if (!(length > 0))
+    throw std::invalid_argument("groove length " + std::to_string(length) + ": expected more than 0");
+  const double width = period.back().x - period.front().x;
+  if (!(width > 0) || period.back().y != period.front().y)
+    throw std::invalid_argument("a cross-section that does not lead on to the next groove");
+
+  Relief relief{
+      {period.front() - glm::dvec2(width * (grooves / 2), 0)}, length, static_cast<int>(period.size()) - 1};
+  for (int groove = -(grooves / 2); groove <= grooves / 2; ++groove)
+    for (std::size_t i = 1; i < period.size(); ++i)
+      relief.profile.emplace_back(period[i] + glm::dvec2(width * groove, 0));
+  return relief;
+}
+
 }  // namespace tracer

@@ -12,10 +12,11 @@
 namespace tracer {
 
 /// A polyline in the y-z plane drawn out along x. Every pair of neighbouring points bounds one flat panel;
-/// panels are numbered from left to right, and light arrives from above.
+/// panels are numbered in order, and light arrives on their left side, seen along the polyline.
 struct Relief {
-  std::vector<glm::dvec2> profile;  ///< (y, z), y increasing, in panel widths
+  std::vector<glm::dvec2> profile;  ///< (y, z), in panel widths; y need not increase where walls overhang
   double length;                    ///< along x, centred on x = 0, in panel widths
+  int panels_of_groove = 2;         ///< so many panels in a row belong to one groove, with its land
 
   /// Number of panels.
   int panels() const { return static_cast<int>(profile.size()) - 1; }
@@ -32,9 +33,12 @@ struct Relief {
 /// @throws std::invalid_argument if a parameter is out of range
 Relief groove_array(double aperture, int grooves, double length);
 
-/// The groove that a panel of groove_array() belongs to.
-inline int groove_of(int panel) {
-  return panel / 2;
-}
+/// Equal grooves of any shape side by side.
+/// @param period    the cross-section of one, from rim to rim and over the land behind it: the first and the last point
+///                  are as high as any other; (y, z) in panel widths, the origin near its deepest point
+/// @param grooves   their number, odd; the middle one lies where `period` says
+/// @param length    of every groove, in panel widths
+/// @throws std::invalid_argument if a parameter is out of range
+Relief profile_array(const std::vector<glm::dvec2>& period, int grooves, double length);
 
 }  // namespace tracer

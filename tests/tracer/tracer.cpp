@@ -32,9 +32,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 int bounces_in_other_grooves(const Path& path) {
-  return static_cast<int>(std::ranges::count_if(path.bounces, [&](const Bounce& bounce) {
-    return groove_of(bounce.panel) != groove_of(path.bounces.front().panel);
-  }));
+  return static_cast<int>(std::ranges::count_if(
+      path.bounces, [&](const Bounce& bounce) { return bounce.groove != path.bounces.front().groove; }));
 }
 
 Tracer::Tracer(Relief relief)
@@ -54,8 +53,10 @@ std::optional<int> Tracer::search_all_panels(glm::dvec3 origin, glm::dvec3 direc
     if (glm::dot(direction, normals_[p]) >= 0) continue;
     const double distance = distance_to(panel, origin, direction);
     const glm::dvec3 point = origin + distance * direction;
-    const bool is_on_panel = relief_.profile[p].x <= point.y && point.y <= relief_.profile[p + 1].x &&
-                             std::abs(point.x) <= relief_.length / 2;
+    const glm::dvec2 along = relief_.profile[p + 1] - relief_.profile[p];
+    const double reached = glm::dot(glm::dvec2(point.y, point.z) - relief_.profile[p], along);
+    const bool is_on_panel =
+        0 <= reached && reached <= glm::dot(along, along) && std::abs(point.x) <= relief_.length / 2;
     if (is_on_panel && distance > 0 && distance < nearest) {
       first = panel;
       nearest = distance;
@@ -98,7 +99,7 @@ Path Tracer::trace(glm::dvec3 origin, glm::dvec3 direction) const {
     if (!segment.panel || path.bounces.size() == trapped_after) break;
     const glm::dvec3 normal = normals_[static_cast<std::size_t>(*segment.panel)];
     const double approach = glm::dot(direction, normal);
-    path.bounces.push_back({*segment.panel, -approach});
+    path.bounces.push_back({*segment.panel, -approach, *segment.panel / relief_.panels_of_groove});
     origin += segment.distance * direction;
     direction -= 2 * approach * normal;
   }

@@ -19,6 +19,7 @@ namespace tracer {
 struct Bounce {
   int panel;             ///< index in the relief
   double cos_incidence;  ///< of the angle between the ray and the panel's normal; negative from below
+  int groove;            ///< that the panel belongs to
 };
 
 /// How a path ends.
@@ -44,7 +45,6 @@ struct Path {
 };
 
 /// The number of panels met after the path had already left through the top of the groove that it met first.
-/// @pre the relief is a groove_array()
 int bounces_in_other_grooves(const Path& path);
 
 /// Follows rays across one relief.
@@ -74,7 +74,7 @@ class Tracer {
   double distance_to(int panel, glm::dvec3 origin, glm::dvec3 direction) const;
 
   Relief relief_;
-  std::vector<glm::dvec3> normals_;  // of each panel, pointing up
+  std::vector<glm::dvec3> normals_;  // of each panel, on the side of the light
   EmbreeScene scene_;
 };
 

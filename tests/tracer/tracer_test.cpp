@@ -34,7 +34,7 @@ TEST_CASE("two mirrors at a right angle send light back, except for its way alon
   REQUIRE(path.ending == Ending::upwards);
   REQUIRE(path.bounces.size() == 2);
   CHECK(path.bounces[0].panel != path.bounces[1].panel);
-  CHECK(groove_of(path.bounces[0].panel) == groove_of(path.bounces[1].panel));
+  CHECK(path.bounces[0].groove == path.bounces[1].groove);
   CHECK(glm::distance(path.direction, {-light.x, light.y, light.z}) < 1e-15);
 }
 
@@ -79,7 +79,28 @@ TEST_CASE("a ray that leaves one groove and meets another is counted") {
   CHECK(bounces_in_other_grooves(relief.trace({0, -0.5, 1}, {0, 0, -1})) == 0);
 }
 
+TEST_CASE("light falls on a floor between vertical walls, past an overhang, and on land") {
+  // Walls of height 1 one apart, and land twice as wide.
+  const Tracer trenches(profile_array({{0, 1}, {0, 0}, {1, 0}, {1, 1}, {3, 1}}, 3, 100));
+  const auto panels = [](const Path& path) {
+    std::vector<int> result;
+    for (const Bounce& bounce : path.bounces) result.push_back(bounce.panel % 4);
+    return result;
+  };
+  CHECK(panels(trenches.trace({0, 0.5, 2}, {0, 0, -1})) == std::vector{1});
+  CHECK(panels(trenches.trace({0, 2, 2}, {0, 0, -1})) == std::vector{3});
+  const double slant = std::numbers::sqrt2 / 2;
+  CHECK(panels(trenches.trace({0, 0.25, 1.5}, {0, slant, -slant})) == std::vector{2, 1, 0});
+  // The left wall leans over the right one; light along the normal meets the right one only from the left.
+  const Tracer overhang(profile_array({{1, 1}, {0, 0}, {3, 1}}, 3, 100));
+  CHECK(overhang.trace({0, 2, 2}, {0, 0, -1}).bounces.front().panel % 2 == 1);
+  CHECK(overhang.trace({0, 2, 2}, {0, 0, -1}).bounces.front().groove == 1);
+}
+
 TEST_CASE("an array that cannot be built is refused") {
+  CHECK_THROWS_AS(profile_array({{0, 1}}, 3, 1), std::invalid_argument);
+  CHECK_THROWS_AS(profile_array({{0, 1}, {1, 0}}, 3, 1), std::invalid_argument);
+  CHECK_THROWS_AS(profile_array({{0, 1}, {1, 0}, {2, 1}}, 2, 1), std::invalid_argument);
   CHECK_THROWS_AS(groove_array(0, 3, 1), std::invalid_argument);
   CHECK_THROWS_AS(groove_array(3.2, 3, 1), std::invalid_argument);
   CHECK_THROWS_AS(groove_array(1, 4, 1), std::invalid_argument);

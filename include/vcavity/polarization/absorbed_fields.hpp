@@ -118,6 +118,7 @@ class FieldBalanced {
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facet a `polarized` facet with a member `absorptances`, such as `Conductor`
 template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
+  requires UnfoldableGroove<Groove, typename Direction::value_type>
 auto directional_absorptance(const Groove& groove, const Direction& e, const Polarized<Facet>& facet) {
   return directional_reflectance(groove, e, FieldBalanced<Facet>(facet));
 }
@@ -127,6 +128,7 @@ auto directional_absorptance(const Groove& groove, const Direction& e, const Pol
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facets `polarized` facets with a member `absorptances`
 template <class Groove, class One, class Two, class Direction = Vec3<scalar_t<Groove>>>
+  requires UnfoldableGroove<Groove, typename Direction::value_type>
 auto directional_absorptance(const Groove& groove, const Direction& e,
                              const PanelFacets<Polarized<One>, Polarized<Two>>& facets) {
   return directional_reflectance(groove, e,

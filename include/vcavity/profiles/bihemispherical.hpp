@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Bi-hemispherical reflectance of profiles: diffuse light in, all reflected light out.
+///
+/// Land adds its own flat reflectance. Where there is a floor the kinks of the weights are found by trial
+/// (smooth_ranges.hpp), and the quadrature is adaptive (adaptive_hemisphere.hpp): reckon with 10⁵ to 10⁶ evaluations of
+/// the facet for 1e-9.
+
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "vcavity/groove/cavity.hpp"
+#include "vcavity/hemisphere/adaptive_hemisphere.hpp"
+#include "vcavity/hemisphere/asymmetric_bihemispherical.hpp"
+#include "vcavity/hemisphere/bihemispherical.hpp"
+#include "vcavity/hemisphere/integral.hpp"
+#include "vcavity/profiles/land.hpp"
+#include "vcavity/profiles/profile.hpp"
+#include "vcavity/profiles/smooth_ranges.hpp"
+
+namespace vcavity {
+
+namespace detail {
+
+/// A facet that notes at which elevation ψ along the groove its bounces pass the critical angle.
+template <class Real>
+struct CriticalElevations {
+  /// @param cosine of incidence at ψ = 0
+  Real operator()(const Real& cosine) const {
+    using std::acos;
+    if (critical > Real(0) && cosine > critical) elevations->push_back(acos(critical / cosine));
+    return Real(1);
+  }
+
+  Real critical;
+  std::vector<Real>* elevations;
+};
+
+}  // namespace detail
+
+/// Bi-hemispherical reflectance of a profile with a floor.
+/// @param facets one facet reflectance, or `FaceFacets`
+/// @param tolerance absolute error to aim at, > 0; the error estimate is larger where it cannot be reached
+/// @throws std::invalid_argument when the tolerance is not a positive number
+/// @return the reflectance of unpolarised light
+template <Profile Shape, class Facets>
+auto bihemispherical_reflectance(
+    const Shape& profile, const Facets& facets,
+    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, typename Shape::value_type>>& tolerance) {
+  using Real = typename Shape::value_type;
+  using Value = unpolarized_t<detail::any_facet_t<Facets>, Real>;
+  using Scalar = scalar_t<Value>;
+  if (!(tolerance > Scalar(0))) {
+    std::ostringstream message;
+    message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
+    throw std::invalid_argument(message.str());
+  }
+  long long evaluations = 0;
+  const auto counted = detail::each_facet(
+      facets, [&](const auto& facet) { return detail::CountingFacet(facet, evaluations); });
+  const auto reflectance = [&](const Vec3<Real>& e) { return unpolarized_reflectance(profile, e, counted); };
+  const auto cuts = [&](const Vec3<Real>& e, std::vector<Real>& elevations) {
+    const auto noting = detail::each_facet(facets, [&](const auto& facet) {
+      return detail::CriticalElevations<Real>{critical_cosine_of<Real>(facet), &elevations};
+    });
+    profile.follow(e, noting, [](const FacePencil<Real>&, const Real&) {});
+  };
+  const auto ranges = detail::smooth_ranges(profile, static_cast<Real>(tolerance));
+  detail::AdaptiveHemisphere<Real, Value, decltype(reflectance), decltype(cuts)> quadrature(reflectance, cuts,
+                                                                                            evaluations);
+  Integral<Value> result = quadrature(ranges.ends, tolerance);
+  // Light that meets one face more or less than it was counted with changes the reflectance by its flux at most.
+  result.error += static_cast<Scalar>(ranges.overlooked);
+  return result;
+}
+
+/// Bi-hemispherical reflectance of grooves with land between them.
+/// @param facets one facet reflectance, or `FaceFacets`
+/// @param tolerance absolute error to aim at, > 0
+/// @throws std::invalid_argument when the tolerance is not a positive number
+/// @return the reflectance of unpolarised light
+template <class Groove, class Facets>
+auto bihemispherical_reflectance(
+    const Land<Groove>& profile, const Facets& facets,
+    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, scalar_t<Groove>>>& tolerance) {
+  using Real = scalar_t<Groove>;
+  using Value = unpolarized_t<detail::any_facet_t<Facets>, Real>;
+  using Scalar = scalar_t<Value>;
+  const auto sum = [&](const Integral<Value>& grooves) {
+    if (!(profile.fraction() > Real(0))) return grooves;
+    Integral<Value> flat;
+    if constexpr (detail::is_face_facets<Facets>)
+      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets.land, tolerance);
+    else
+      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets, tolerance);
+    const Scalar land = static_cast<Scalar>(profile.fraction());
+    const Scalar rest = Scalar(1) - land;
+    return Integral<Value>{rest * grooves.value + land * flat.value, rest * grooves.error + land * flat.error,
+                           grooves.evaluations + flat.evaluations};
+  };
+  if constexpr (Profile<Groove>)
+    return sum(bihemispherical_reflectance(profile.groove(), facets, tolerance));
+  else
+    return detail::with_walls(facets, [&](const auto& walls) {
+      return sum(bihemispherical_reflectance(profile.groove(), walls, tolerance));
+    });
+}
+
+}  // namespace vcavity
