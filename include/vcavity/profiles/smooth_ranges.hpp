@@ -119,13 +119,13 @@ class KinkSearch {
     using std::cos;
     std::vector<std::pair<FacePath, Real>> sums;
     const auto add = [&](const Sample& sample, const Real& scale) {
-      for (const auto& [path, flux] : sample.flux) {
+      for (const auto& lobe : sample.flux) {
         const auto same =
-            std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == path; });
+            std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == lobe.first; });
         if (same == sums.end())
-          sums.emplace_back(path, scale * flux);
+          sums.emplace_back(lobe.first, scale * lobe.second);
         else
-          same->second += scale * flux;
+          same->second += scale * lobe.second;
       }
     };
     add(low, Real(1));
