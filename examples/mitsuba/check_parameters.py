@@ -24,6 +24,9 @@ ACCEPTED = [
     {"material": "Cu", "aperture": 180.0, "rotation": -30.0, "max_bounces": 1, "polarized": True, "lobe_width": 2.0},
     {"eta": 1.5},
     {"eta": {"type": "spectrum", "value": 0.2}, "k": {"type": "spectrum", "value": 3.9}, "max_bounces": -1},
+    {"material": "Cu", "distribution": "ggx", "roughness": 0.5},
+    {"material": "Cu", "distribution": "beckmann", "alpha_u": 0.5, "alpha_v": 0.1, "max_bounces": 3},
+    {"material": "Cu", "distribution": "brushed", "roughness": {"type": "checkerboard", "color0": 0.1}, "concentration": 0.0},
 ]
 REFUSED = [
     ({"material": "Cu", "eta": 1.5}, "either a material or eta and k"),
@@ -40,6 +43,13 @@ REFUSED = [
     ({"material": "Cu", "tolerance": 0.1, "max_bounces": 2}, "either tolerance or max_bounces"),
     ({"material": "Cu", "max_bounces": 0}, "must be positive or -1, not 0"),
     ({"material": "Cu", "lobe_width": -1.0}, "the width of a lobe"),
+    ({"material": "Cu", "distribution": "phong"}, "must be ggx, beckmann or brushed, not phong"),
+    ({"material": "Cu", "roughness": 0.5}, "give a distribution"),
+    ({"material": "Cu", "distribution": "ggx", "aperture": 60.0}, "aperture and lobe_width are for parallel grooves"),
+    ({"material": "Cu", "distribution": "ggx", "alpha_u": 0.5}, "either a roughness or both alpha_u and alpha_v"),
+    ({"material": "Cu", "distribution": "ggx", "roughness": 0.0}, "roughness must lie in [0.001, 10], not be 0"),
+    ({"material": "Cu", "distribution": "brushed", "alpha_u": 0.5, "alpha_v": 0.5}, "brushed takes a roughness"),
+    ({"material": "Cu", "distribution": "brushed", "concentration": -1.0}, "concentration"),
     ({"material": "unobtainium"}, "unobtainium"),
     ({"material": "Cu", "apperture": 60.0}, "apperture"),
 ]

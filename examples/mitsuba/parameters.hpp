@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vcavity/vcavity.hpp>
 #include <vector>
@@ -140,15 +141,40 @@ class GrooveParameters {
       axis = Vector3f(dr::normalize(direction));
     }
     if (lobe_width != 0) (void)vcavity::VonMisesFisher<float>(lobe_width);  // refuses what is no width
+    read_roughness(props);
     decide_effects(props);
   }
 
+  /// Whether grooves of many apertures and directions make the surface, rather than parallel ones.
+  bool is_rough() const { return !distribution.empty(); }
+
+  /// The lines of `to_string` that tell the shape.
+  std::string shape_in_words() const {
+    std::ostringstream text;
+    if (is_rough()) {
+      text << "  distribution = " << distribution << "," << std::endl
+           << "  roughness_u = " << string::indent(roughness_u->texture()) << "," << std::endl
+           << "  roughness_v = " << string::indent(roughness_v->texture()) << "," << std::endl;
+      if (distribution == "brushed") text << "  concentration = " << concentration << "," << std::endl;
+    } else {
+      text << "  aperture = " << string::indent(aperture.texture()) << "," << std::endl
+           << "  lobe_width = " << vcavity::degrees(lobe_width) << "," << std::endl;
+    }
+    return text.str();
+  }
+
   /// Whether the grooves differ from point to point.
-  bool varies() const { return aperture.varies() || rotation.varies() || axis; }
+  bool varies() const {
+    return aperture.varies() || rotation.varies() || axis ||
+           (is_rough() && (roughness_u->varies() || roughness_v->varies()));
+  }
 
   Number aperture;  ///< degrees
   Number rotation;  ///< degrees
   std::optional<Vector3f> axis;
+  std::string distribution;  ///< ggx, beckmann, brushed; empty for parallel grooves
+  std::optional<Number> roughness_u, roughness_v;
+  float concentration = 0;  ///< of the azimuths of brushed grooves
   ref<Texture> eta, k, tint;
   bool tinted;       ///< whether `tint` may differ from 1
   float lobe_width;  ///< radians; 0 for mirror directions
@@ -166,6 +192,30 @@ class GrooveParameters {
     Properties zero("uniform");
     zero.set("value", 0.0);
     return PluginManager::instance()->create_object<Texture>(zero);
+  }
+
+  void read_roughness(const Properties& props) {
+    const bool uniform = props.has_property("roughness"), two = props.has_property("alpha_u");
+    distribution = props.get<std::string>("distribution", "");
+    if (!is_rough()) {
+      if (uniform || two) Throw("vgroove: give a distribution (ggx, beckmann or brushed) with the roughness");
+      return;
+    }
+    if (distribution != "ggx" && distribution != "beckmann" && distribution != "brushed")
+      Throw("vgroove: distribution must be ggx, beckmann or brushed, not %s", distribution);
+    if (props.has_property("aperture") || props.has_property("lobe_width"))
+      Throw("vgroove: aperture and lobe_width are for parallel grooves, not for a distribution");
+    if (two != props.has_property("alpha_v") || (two && uniform))
+      Throw("vgroove: give either a roughness or both alpha_u and alpha_v");
+    if (two && distribution == "brushed")
+      Throw("vgroove: brushed takes a roughness, not alpha_u and alpha_v");
+    constexpr typename Number::Range allowed{1e-3, 10};
+    roughness_u.emplace(props, two ? "alpha_u" : "roughness", 0.3f, allowed);
+    roughness_v.emplace(props, two ? "alpha_v" : "roughness", 0.3f, allowed);
+    if (distribution == "brushed") {
+      concentration = props.get<float>("concentration", 100.f);
+      (void)vcavity::AxialVonMises<float>(concentration);  // refuses what is no concentration
+    }
   }
 
   void decide_effects(const Properties& props) {

@@ -16,6 +16,10 @@
 ///  - `effects`      full: fields and all bounces; paper: no fields, all bounces; auto: what `tolerance` calls for
 ///  - `tolerance`    largest error of the radiance, for light of radiance 1, that may come from what is left out;
 ///                   0.001 by default with effects = auto, which it implies
+///  - `distribution` ggx, beckmann or brushed: patches of grooves of many apertures and directions, instead of an
+///                   aperture (rough_bsdf.hpp); brushed ones run along the axis of reference
+///  - `roughness`    or `alpha_u`, `alpha_v`: as renderers define it, a number or a texture, in [0.001, 10]; 0.3
+///  - `concentration` κ of the azimuths of brushed grooves about that axis, in [0, 1e6]; 100 by default
 ///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
 /// One-sided, like `conductor`. Built for the scalar variants.

@@ -33,10 +33,9 @@ struct Varying {
   static constexpr bool varies = true;
 };
 
-/// The groove at a point, and its direction in the shading frame.
+/// Axes of the grooves in the shading frame: x runs along them, or along most of them.
 template <class Real>
-struct GrooveAt {
-  vcavity::Cavity<Real> cavity;
+struct GrooveAxes {
   Real cosine, sine;
 
   vcavity::Vec3<Real> to_groove(const vcavity::Vec3<Real>& v) const {
@@ -47,19 +46,77 @@ struct GrooveAt {
   }
 };
 
-/// Mirror directions.
-struct Mirrors {
-  static constexpr BSDFFlags kind = BSDFFlags::DeltaReflection;
+/// The shape of the surface at a point, and its axes.
+template <class Real, class ShapeType>
+struct Site {
+  ShapeType shape;
+  GrooveAxes<Real> axes;
 };
 
-/// Directions spread around the mirror directions.
-struct SpreadLobes {
+/// Parallel grooves of one aperture, whose light goes into mirror directions.
+struct Mirrors {
+  static constexpr BSDFFlags kind = BSDFFlags::DeltaReflection;
+
+  /// @param value gives the value of a number of the surface, where the shape is wanted
+  template <class Real, class Parameters, class Value>
+  static vcavity::Cavity<Real> shape(const Parameters& parameters, Value&& value) {
+    const Real aperture = vcavity::radians(Real(value(parameters.aperture)));
+    return vcavity::Cavity<Real>(std::min(aperture, vcavity::pi<Real>()));
+  }
+
+  template <class Real, class Facet, class Parameters>
+  static auto bsdf(const vcavity::Cavity<Real>& cavity, const Facet& facet, const Parameters& parameters) {
+    return vcavity::GrooveBsdf<Real, Facet>(cavity, facet, vcavity::LobeChoice::by_energy,
+                                            parameters.effects.max_bounces);
+  }
+};
+
+/// The same with directions spread around the mirror directions.
+struct SpreadLobes : Mirrors {
   static constexpr BSDFFlags kind = BSDFFlags::GlossyReflection;
+
+  template <class Real, class Facet, class Parameters>
+  static auto bsdf(const vcavity::Cavity<Real>& cavity, const Facet& facet, const Parameters& parameters) {
+    return vcavity::SpreadGrooveBsdf(Mirrors::bsdf(cavity, facet, parameters), Real(parameters.lobe_width));
+  }
+};
+
+/// Patches of grooves of many apertures and directions.
+struct Rough {
+  static constexpr BSDFFlags kind = BSDFFlags::GlossyReflection;
+
+  template <class Distribution, class Facet, class Parameters>
+  static auto bsdf(const Distribution& distribution, const Facet& facet, const Parameters& parameters) {
+    using Bsdf = vcavity::RoughGrooveBsdf<Distribution, Facet>;
+    const int limit = parameters.effects.max_bounces;
+    return Bsdf(distribution, facet, limit == vcavity::all_bounces ? Bsdf::default_max_bounces : limit);
+  }
+};
+
+struct RoughGgx : Rough {
+  template <class Real, class Parameters, class Value>
+  static vcavity::GgxSlopes<Real> shape(const Parameters& parameters, Value&& value) {
+    return {Real(value(*parameters.roughness_u)), Real(value(*parameters.roughness_v))};
+  }
+};
+
+struct RoughBeckmann : Rough {
+  template <class Real, class Parameters, class Value>
+  static vcavity::BeckmannSlopes<Real> shape(const Parameters& parameters, Value&& value) {
+    return {Real(value(*parameters.roughness_u)), Real(value(*parameters.roughness_v))};
+  }
+};
+
+struct Brushed : Rough {
+  template <class Real, class Parameters, class Value>
+  static vcavity::BrushedSlopes<vcavity::GgxSlopes<Real>> shape(const Parameters& parameters, Value&& value) {
+    return {vcavity::GgxSlopes<Real>(Real(value(*parameters.roughness_u))), Real(parameters.concentration)};
+  }
 };
 
 /// @tparam Effect a `Following`
 /// @tparam Variation `Uniform` or `Varying`
-/// @tparam Finish `Mirrors` or `SpreadLobes`
+/// @tparam Finish `Mirrors`, `SpreadLobes`, or one of the `Rough` ones
 template <typename Float, typename Spectrum, class Effect, class Variation, class Finish>
 class VGroove final : public BSDF<Float, Spectrum> {
  public:
@@ -68,7 +125,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Parameters = GrooveParameters<Float, Spectrum>;
 
   VGroove(const Properties& props, const Parameters& parameters)
-      : Base(props), parameters_(parameters), uniform_(uniform_groove(parameters)) {
+      : Base(props), parameters_(parameters), uniform_(uniform_site(parameters)) {
     m_flags = Finish::kind | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
   }
@@ -77,9 +134,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
                                            Float u_lobe, const Point2f& u_direction, Mask) const override {
     BSDFSample3f result = dr::zeros<BSDFSample3f>();
     if (!context.is_enabled(Finish::kind)) return {result, 0.f};
-    decltype(auto) groove = groove_at(si);
-    const auto bsdf = bsdf_at(si, groove);
-    const Vector wo = groove.to_groove(vector(si.wi));
+    decltype(auto) site = site_at(si);
+    const auto bsdf = bsdf_at(si, site);
+    const Vector wo = site.axes.to_groove(vector(si.wi));
     const auto drawn = [&] {
       const Real u(u_lobe);
       if constexpr (discrete)
@@ -88,12 +145,12 @@ class VGroove final : public BSDF<Float, Spectrum> {
         return bsdf.sample(wo, u, {Real(u_direction.x()), Real(u_direction.y())}, transport(context));
     }();
     if (!drawn) return {result, 0.f};
-    result.wo = vector(groove.from_groove(drawn->direction));
+    result.wo = vector(site.axes.from_groove(drawn->direction));
     result.pdf = static_cast<float>(drawn->probability);
     result.eta = 1.f;
     result.sampled_type = +Finish::kind;
     result.sampled_component = 0;
-    return {result, spectrum(drawn->weight, groove, wo, drawn->direction, transport(context))};
+    return {result, spectrum(drawn->weight, site.axes, wo, drawn->direction, transport(context))};
   }
 
   Spectrum eval(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wi,
@@ -102,9 +159,10 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return 0.f;
     } else {
       if (!context.is_enabled(Finish::kind)) return 0.f;
-      decltype(auto) groove = groove_at(si);
-      const Vector wo_groove = groove.to_groove(vector(si.wi)), wi_groove = groove.to_groove(vector(wi));
-      return spectrum(bsdf_at(si, groove).evaluate(wo_groove, wi_groove, transport(context)), groove,
+      decltype(auto) site = site_at(si);
+      const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
+                   wi_groove = site.axes.to_groove(vector(wi));
+      return spectrum(bsdf_at(si, site).evaluate(wo_groove, wi_groove, transport(context)), site.axes,
                       wo_groove, wi_groove, transport(context));
     }
   }
@@ -115,9 +173,24 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return 0.f;
     } else {
       if (!context.is_enabled(Finish::kind)) return 0.f;
-      decltype(auto) groove = groove_at(si);
+      decltype(auto) site = site_at(si);
       return static_cast<float>(
-          bsdf_at(si, groove).pdf(groove.to_groove(vector(si.wi)), groove.to_groove(vector(wi))));
+          bsdf_at(si, site).pdf(site.axes.to_groove(vector(si.wi)), site.axes.to_groove(vector(wi))));
+    }
+  }
+
+  std::pair<Spectrum, Float> eval_pdf(const BSDFContext& context, const SurfaceInteraction3f& si,
+                                      const Vector3f& wi, Mask active) const override {
+    if constexpr (std::is_base_of_v<Rough, Finish>) {
+      if (!context.is_enabled(Finish::kind)) return {0.f, 0.f};
+      decltype(auto) site = site_at(si);
+      const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
+                   wi_groove = site.axes.to_groove(vector(wi));
+      const auto both = bsdf_at(si, site).evaluate_with_pdf(wo_groove, wi_groove, transport(context));
+      return {spectrum(both.value, site.axes, wo_groove, wi_groove, transport(context)),
+              static_cast<float>(both.pdf)};
+    } else {
+      return {eval(context, si, wi, active), pdf(context, si, wi, active)};
     }
   }
 
@@ -129,10 +202,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
   std::string to_string() const override {
     std::ostringstream text;
     text << "VGroove[" << std::endl
-         << "  aperture = " << string::indent(parameters_.aperture.texture()) << "," << std::endl
-         << "  rotation = " << string::indent(parameters_.rotation.texture()) << "," << std::endl
+         << parameters_.shape_in_words() << "  rotation = " << string::indent(parameters_.rotation.texture())
+         << "," << std::endl
          << "  effects = " << vgroove::described(parameters_.effects) << "," << std::endl
-         << "  lobe_width = " << vcavity::degrees(parameters_.lobe_width) << "," << std::endl
          << "  eta = " << string::indent(parameters_.eta) << "," << std::endl
          << "  k = " << string::indent(parameters_.k) << std::endl
          << "]";
@@ -145,7 +217,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Real = typename Effect::Real;
   using Values = vgroove::Values<Real, UnpolarizedSpectrum>;
   using Vector = vcavity::Vec3<Real>;
-  using Groove = GrooveAt<Real>;
+  using Axes = GrooveAxes<Real>;
   static constexpr bool discrete = std::is_same_v<Finish, Mirrors>;
 
   static vcavity::Transport transport(const BSDFContext& context) {
@@ -158,32 +230,38 @@ class VGroove final : public BSDF<Float, Spectrum> {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   }
 
-  static vcavity::Cavity<Real> cavity(float aperture_deg) {
-    return vcavity::Cavity<Real>(std::min(vcavity::radians(Real(aperture_deg)), vcavity::pi<Real>()));
+  static Axes rotated(float rotation_deg) {
+    const Real rotation = vcavity::radians(Real(rotation_deg));
+    return {std::cos(rotation), std::sin(rotation)};
   }
 
-  static Groove uniform_groove(const Parameters& parameters) {
-    const Real rotation = vcavity::radians(Real(parameters.rotation.constant()));
-    return {cavity(parameters.aperture.constant()), std::cos(rotation), std::sin(rotation)};
+  static auto uniform_site(const Parameters& parameters) {
+    const auto constant = [](const auto& number) { return number.constant(); };
+    auto shape = Finish::template shape<Real>(parameters, constant);
+    return Site<Real, decltype(shape)>{std::move(shape), rotated(parameters.rotation.constant())};
   }
 
-  decltype(auto) groove_at(const SurfaceInteraction3f& si) const {
-    if constexpr (Variation::varies) {
-      const float rotation = vcavity::radians(parameters_.rotation.at(si));
-      Groove groove{cavity(parameters_.aperture.at(si)), std::cos(rotation), std::sin(rotation)};
-      if (parameters_.axis) {
-        const Vector3f axis = si.to_local(*parameters_.axis);
-        const float length = std::sqrt(axis.x() * axis.x() + axis.y() * axis.y());
-        // An axis along the normal marks no direction on the surface; ∂p/∂u serves.
-        if (length > 1e-6f) {
-          const float x = axis.x() / length, y = axis.y() / length;
-          groove = {groove.cavity, groove.cosine * x - groove.sine * y, groove.sine * x + groove.cosine * y};
-        }
-      }
-      return groove;
-    } else {
-      return static_cast<const Groove&>(uniform_);
-    }
+  using UniformSite = decltype(uniform_site(std::declval<const Parameters&>()));
+
+  decltype(auto) site_at(const SurfaceInteraction3f& si) const {
+    if constexpr (Variation::varies)
+      return UniformSite{
+          Finish::template shape<Real>(parameters_, [&](const auto& number) { return number.at(si); }),
+          axes_at(si)};
+    else
+      return static_cast<const UniformSite&>(uniform_);
+  }
+
+  Axes axes_at(const SurfaceInteraction3f& si) const {
+    const Axes axes = rotated(parameters_.rotation.at(si));
+    if (!parameters_.axis) return axes;
+    const Vector3f axis = si.to_local(*parameters_.axis);
+    const float length = std::sqrt(axis.x() * axis.x() + axis.y() * axis.y());
+    // An axis along the normal marks no direction on the surface; ∂p/∂u serves.
+    constexpr float shortest = 1e-6f;
+    if (!(length > shortest)) return axes;
+    const Real x(axis.x() / length), y(axis.y() / length);
+    return {axes.cosine * x - axes.sine * y, axes.sine * x + axes.cosine * y};
   }
 
   auto facet_at(const SurfaceInteraction3f& si) const {
@@ -199,32 +277,22 @@ class VGroove final : public BSDF<Float, Spectrum> {
     }
   }
 
-  auto bsdf_at(const SurfaceInteraction3f& si, const Groove& groove) const {
+  auto bsdf_at(const SurfaceInteraction3f& si, const UniformSite& site) const {
     if constexpr (Effect::polarization)
-      return finished(groove, vcavity::polarized(facet_at(si)));
+      return Finish::bsdf(site.shape, vcavity::polarized(facet_at(si)), parameters_);
     else
-      return finished(groove, facet_at(si));
-  }
-
-  template <class Facet>
-  auto finished(const Groove& groove, const Facet& facet) const {
-    const vcavity::GrooveBsdf<Real, Facet> mirrors(groove.cavity, facet, vcavity::LobeChoice::by_energy,
-                                                   parameters_.effects.max_bounces);
-    if constexpr (discrete)
-      return mirrors;
-    else
-      return vcavity::SpreadGrooveBsdf(mirrors, Real(parameters_.lobe_width));
+      return Finish::bsdf(site.shape, facet_at(si), parameters_);
   }
 
   /// A weight of unpolarised light.
-  static Spectrum spectrum(const Values& weight, const Groove&, const Vector&, const Vector&,
+  static Spectrum spectrum(const Values& weight, const Axes&, const Vector&, const Vector&,
                            vcavity::Transport) {
     return depolarizer<Spectrum>(vgroove::to_spectrum<UnpolarizedSpectrum>(weight));
   }
 
   /// A Mueller matrix, from the axes of vcavity to those of Mitsuba.
   /// @param wo,wi directions away from the surface, in the frame of the groove
-  static Spectrum spectrum(const vcavity::Mueller<Values>& weight, const Groove& groove, const Vector& wo,
+  static Spectrum spectrum(const vcavity::Mueller<Values>& weight, const Axes& axes, const Vector& wo,
                            const Vector& wi, vcavity::Transport transport) {
     if constexpr (is_polarized_v<Spectrum>) {
       const bool towards_wo = transport == vcavity::Transport::radiance;
@@ -233,7 +301,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
       for (std::size_t row = 0; row < 4; ++row)
         for (std::size_t column = 0; column < 4; ++column)
           result(row, column) = vgroove::to_spectrum<UnpolarizedSpectrum>(weight(row, column));
-      const auto shading = [&groove](const Vector& v) { return vector(groove.from_groove(v)); };
+      const auto shading = [&axes](const Vector& v) { return vector(axes.from_groove(v)); };
       const Vector3f forward_in = shading(in), forward_out = shading(out);
       return mueller::rotate_mueller_basis(
           result, forward_in, shading(vcavity::polarization_axis(in)), mueller::stokes_basis(forward_in),
@@ -244,7 +312,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   }
 
   Parameters parameters_;
-  Groove uniform_;
+  UniformSite uniform_;
 };
 
 /// Calls `use` with the types of the cheapest BSDF that a scene's parameters allow.
@@ -254,7 +322,14 @@ auto with_types(const GrooveParameters<Float, Spectrum>& parameters, Use&& use) 
     return parameters.lobe_width > 0 ? use(effect, variation, SpreadLobes{})
                                      : use(effect, variation, Mirrors{});
   };
-  const auto in_precision = [&]<class Real, class Variation>(Real, Variation variation) {
+  const auto rough = [&]<class Real, class Variation>(Real, Variation variation) {
+    constexpr Following<Real, false> effect;
+    if (parameters.distribution == "ggx") return use(effect, variation, RoughGgx{});
+    if (parameters.distribution == "beckmann") return use(effect, variation, RoughBeckmann{});
+    return use(effect, variation, Brushed{});
+  };
+  const auto in_precision = [&]<class Real, class Variation>(Real real, Variation variation) {
+    if (parameters.is_rough()) return rough(real, variation);
     return parameters.effects.polarization ? finished(Following<Real, true>{}, variation)
                                            : finished(Following<Real, false>{}, variation);
   };

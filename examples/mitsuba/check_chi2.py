@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs Mitsuba's own test of BSDFs, `mitsuba.chi2`, on the rough finishes of `vgroove`: whether the directions that it
+samples have the density that it states, for several distributions, roughnesses and angles of incidence. The density
+must also integrate to 1 less the light that the bounce limit loses, and no weight may exceed 1.
+
+Next to the mirror direction the density of rough surfaces grows like 1/|h|, h being the horizontal part of the sum of
+both directions. Its integrals over cells of the sphere, for which the test has a trapezoidal rule, are therefore taken
+in the coordinates of the grooves, ψ and θ', in which it is finite: dω = |h| dψ dθ'.
+
+Mitsuba runs the test in a vectorised variant and needs LLVM for it; the plug-in is called in the scalar one."""
+
+import argparse
+import math
+import sys
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+FALSE_ALARM_RATE = 1e-3  # of all tests together
+VARIANT_OF_TEST = "llvm_ad_rgb"
+# (parameters, θ, φ) in degrees
+CASES = [
+    ({"distribution": "ggx", "roughness": 0.15}, 30, 20),
+    ({"distribution": "ggx", "roughness": 0.3}, 0, 0),
+    ({"distribution": "ggx", "roughness": 0.3}, 60, 100),
+    ({"distribution": "ggx", "roughness": 0.3}, 85, 45),
+    ({"distribution": "ggx", "roughness": 1.0}, 0, 0),
+    ({"distribution": "ggx", "roughness": 1.0}, 50, 70),
+    ({"distribution": "ggx", "alpha_u": 0.2, "alpha_v": 0.7, "rotation": 30.0}, 45, 10),
+    ({"distribution": "beckmann", "roughness": 0.2}, 10, 200),
+    ({"distribution": "beckmann", "roughness": 0.6}, 70, 300),
+    ({"distribution": "beckmann", "alpha_u": 0.8, "alpha_v": 0.3}, 30, 60),
+    ({"distribution": "brushed", "roughness": 0.4, "concentration": 5.0}, 40, 30),
+    ({"distribution": "brushed", "roughness": 0.6, "concentration": 20.0, "rotation": -50.0}, 60, 80),
+    ({"lobe_width": 10.0, "aperture": 70.0}, 20, 40),
+]
+
+
+class GrooveDomain:
+    """Directions o as seen in the groove that leads light from e to them: the azimuth ψ in [0, π) of the direction across
+    it, and the angle θ' of o from the normal in the plane across it."""
+
+    def __init__(self, e):
+        self.e = [float(component) for component in e]
+
+    def bounds(self):
+        return mi.ScalarBoundingBox2f([-math.pi / 2, 0], [math.pi / 2, math.pi])
+
+    def aspect(self):
+        return 1
+
+    def map_forward(self, p):
+        sin_psi, cos_psi = dr.sincos(p.y)
+        along = self.e[0] * sin_psi - self.e[1] * cos_psi
+        radius = dr.safe_sqrt(1 - along * along)
+        across = radius * dr.sin(p.x)
+        return mi.Vector3f(across * cos_psi - along * sin_psi, across * sin_psi + along * cos_psi,
+                           radius * dr.cos(p.x))
+
+    def map_backward(self, o):
+        psi = dr.atan2(o.y + self.e[1], o.x + self.e[0])
+        psi = dr.select(psi < 0, psi + math.pi, psi)
+        return mi.Vector2f(dr.atan2(o.x * dr.cos(psi) + o.y * dr.sin(psi), o.z), psi)
+
+    def tilt(self, o):
+        return np.hypot(o[0] + self.e[0], o[1] + self.e[1])
+
+
+def scalar_functions(parameters, theta, phi):
+    """`sample` and `pdf` of the plug-in for arrays, by a loop over the scalar variant."""
+    bsdf = mi.load_dict({"type": "vgroove", "material": "none", **parameters})
+    context, si, Point2f, Vector3f = mi.BSDFContext(), mi.SurfaceInteraction3f(), mi.Point2f, mi.Vector3f
+    si.wi = [math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)]
+    largest = [0.0]
+
+    def sample(u):
+        directions, weights = np.zeros((u.shape[1], 3)), np.zeros(u.shape[1])
+        for i, (u_lobe, *u_direction) in enumerate(u.T.tolist()):
+            drawn, weight = bsdf.sample(context, si, u_lobe, Point2f(u_direction))
+            if drawn.pdf > 0:
+                directions[i], weights[i] = drawn.wo, 1
+                largest[0] = max(largest[0], max(weight))
+            else:
+                directions[i] = 0, 0, 1
+        return directions.T, weights
+
+    def pdf(wo):
+        return np.array([bsdf.pdf(context, si, Vector3f(direction)) for direction in wo.T.tolist()])
+
+    return sample, pdf, largest, np.array(si.wi)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--samples", type=int, default=200_000, help="directions per test; 200000 by default")
+    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
+    options = parser.parse_args()
+    try:
+        mi.set_variant(VARIANT_OF_TEST)
+    except ImportError as error:
+        print(f"skipped: {VARIANT_OF_TEST} does not start: {error}")
+        return 77
+    mi.set_variant("scalar_rgb")
+    import vgroove
+    vgroove.load(options.plug_in)
+    functions = [scalar_functions(parameters, math.radians(theta), math.radians(phi))
+                 for parameters, theta, phi in CASES]
+    mi.set_variant(VARIANT_OF_TEST)
+    import mitsuba.chi2
+    failed = 0
+    for (parameters, theta, phi), (sample, pdf, largest, e) in zip(CASES, functions):
+
+        def sample_arrays(u, sample=sample):
+            directions, weights = sample(np.array(u))
+            return mi.Vector3f(directions.astype(np.float32)), mi.Float(weights.astype(np.float32))
+
+        domain = GrooveDomain(e) if "distribution" in parameters else mi.chi2.SphericalDomain()
+
+        def pdf_array(wo, pdf=pdf, domain=domain):
+            directions = np.array(wo)
+            measure = domain.tilt(directions) if isinstance(domain, GrooveDomain) else 1
+            return mi.Float((measure * pdf(directions)).astype(np.float32))
+
+        test = mi.chi2.ChiSquareTest(domain=domain, sample_func=sample_arrays, pdf_func=pdf_array,
+                                     sample_dim=3, sample_count=options.samples, res=51, ires=8)
+        passed = test.run(significance_level=FALSE_ALARM_RATE, test_count=len(CASES), quiet=True)
+        name = ", ".join(f"{key} {value}" for key, value in parameters.items())
+        print(f"{'passed' if passed else 'FAILED'}  {name}, θ = {theta}°, φ = {phi}°: p = {test.p_value:.2g}, "
+              f"density integrates to {test.pdf_sum[0]:.4f}, largest weight {largest[0]:.6f}", flush=True)
+        if not passed or largest[0] > 1 + 1e-6:
+            print(test.messages, file=sys.stderr)
+            failed += 1
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
