@@ -18,9 +18,26 @@ struct Effects {
   bool polarization;
   int max_bounces = vcavity::all_bounces;
   bool double_precision = false;
-  vcavity::ErrorBounds bounds{0, 0, 0,
-                              0};  ///< on the radiance, for light of radiance 1; of what a plan leaves out
+  /// On the radiance, for light of radiance 1; of what a plan leaves out.
+  vcavity::ErrorBounds bounds{0, 0, 0, 0};
 };
+
+/// Adds what one more index or shape calls for.
+inline void include(Effects& effects, const vcavity::EffectsPlan& plan) {
+  effects.polarization |= plan.polarization;
+  effects.max_bounces = std::max(effects.max_bounces, plan.max_bounces);
+  effects.double_precision |= !plan.single_precision;
+  effects.bounds.polarization = std::max(effects.bounds.polarization, plan.bounds.polarization);
+  effects.bounds.bounces = std::max(effects.bounds.bounces, plan.bounds.bounces);
+  effects.bounds.rounding = std::max(effects.bounds.rounding, plan.bounds.rounding);
+}
+
+/// What is followed in the end costs no error.
+inline Effects settled(Effects effects) {
+  if (effects.polarization) effects.bounds.polarization = 0;
+  if (effects.max_bounces == vcavity::all_bounces) effects.bounds.bounces = 0;
+  return effects;
+}
 
 /// The cheapest effects whose reflectance, in any direction and at every given index and aperture, lies within a
 /// tolerance of the full physics.
@@ -34,18 +51,25 @@ inline Effects planned_effects(std::span<const double> apertures, std::span<cons
     const vcavity::Cavity<double> cavity(aperture);
     for (const Index& index : indices) {
       const vcavity::Conductor<double> facet(index.n, index.k);
-      const auto plan = vcavity::plan_effects(cavity, facet, tolerance, vcavity::Illumination::collimated);
-      effects.polarization |= plan.polarization;
-      effects.max_bounces = std::max(effects.max_bounces, plan.max_bounces);
-      effects.double_precision |= !plan.single_precision;
-      effects.bounds.polarization = std::max(effects.bounds.polarization, plan.bounds.polarization);
-      effects.bounds.bounces = std::max(effects.bounds.bounces, plan.bounds.bounces);
-      effects.bounds.rounding = std::max(effects.bounds.rounding, plan.bounds.rounding);
+      include(effects, vcavity::plan_effects(cavity, facet, tolerance, vcavity::Illumination::collimated));
     }
   }
-  if (effects.polarization) effects.bounds.polarization = 0;
-  if (effects.max_bounces == vcavity::all_bounces) effects.bounds.bounces = 0;
-  return effects;
+  return settled(effects);
+}
+
+/// The same for rough surfaces.
+/// @param distributions at least one
+template <class Distribution>
+Effects planned_effects(std::span<const Distribution> distributions, std::span<const Index> indices,
+                        double tolerance, bool polarized_light) {
+  Effects effects{polarized_light, 1};
+  for (const Distribution& distribution : distributions) {
+    for (const Index& index : indices) {
+      const vcavity::Conductor<double> facet(index.n, index.k);
+      include(effects, vcavity::plan_rough_effects(distribution, facet, tolerance));
+    }
+  }
+  return settled(effects);
 }
 
 /// What is followed, and a bound on what each omission costs, in words.

@@ -245,27 +245,52 @@ class GrooveParameters {
 
   /// Over all apertures of the surface, and all colours or wavelengths that the variant may ask for.
   void plan(double tolerance) {
-    const bool known = aperture.range() && !mitsuba::varies(*eta) && !mitsuba::varies(*k) &&
-                       !(tinted && mitsuba::varies(*tint));
+    const bool known =
+        (is_rough() ? roughness_u->range() && roughness_v->range() : aperture.range().has_value()) &&
+        !mitsuba::varies(*eta) && !mitsuba::varies(*k) && !(tinted && mitsuba::varies(*tint));
     if (!known || brightest_tint() > 1) {
       Log(Info,
-          "vgroove: nothing is left out, because the index or the aperture varies in a way not known at "
+          "vgroove: nothing is left out, because the material or the shape varies in a way not known at "
           "load");
-      effects.polarization = true;
+      effects.polarization = !is_rough();
       return;
     }
-    constexpr int steps = 8;
-    const auto [low, high] = *aperture.range();
-    std::vector<double> apertures{vcavity::radians(low)};
-    for (int i = 1; i <= steps && high > low; ++i)
-      apertures.push_back(vcavity::radians(low + (high - low) * i / steps));
-    effects = vgroove::planned_effects(apertures, indices(), tolerance, is_polarized_v<Spectrum>);
+    if (distribution == "ggx") {
+      plan_rough(tolerance, [](double u, double v) { return vcavity::GgxSlopes<double>(u, v); });
+    } else if (distribution == "beckmann") {
+      plan_rough(tolerance, [](double u, double v) { return vcavity::BeckmannSlopes<double>(u, v); });
+    } else if (distribution == "brushed") {
+      plan_rough(tolerance, [&](double u, double) {
+        return vcavity::BrushedSlopes(vcavity::GgxSlopes<double>(u), static_cast<double>(concentration));
+      });
+    } else {
+      constexpr int steps = 8;
+      const auto [low, high] = *aperture.range();
+      std::vector<double> apertures{vcavity::radians(low)};
+      for (int i = 1; i <= steps && high > low; ++i)
+        apertures.push_back(vcavity::radians(low + (high - low) * i / steps));
+      constexpr float step_nm = 10;
+      effects = vgroove::planned_effects(apertures, indices(step_nm), tolerance, is_polarized_v<Spectrum>);
+    }
+  }
+
+  template <class Make>
+  void plan_rough(double tolerance, Make&& make) {
+    std::vector distributions{make(roughness_u->range()->low, roughness_v->range()->low)};
+    if (roughness_u->varies() || roughness_v->varies())
+      distributions.push_back(make(roughness_u->range()->high, roughness_v->range()->high));
+    constexpr float step_nm = 40;  // each takes a hundred times as long as for parallel grooves
+    effects = vgroove::planned_effects<typename decltype(distributions)::value_type>(
+        distributions, indices(step_nm), tolerance, is_polarized_v<Spectrum>);
+    constexpr int most = 4096;  // of RoughGrooveBsdf
+    effects.max_bounces = std::min(effects.max_bounces, most);
   }
 
   double brightest_tint() const {
     if (!tinted) return 1;
     double brightest = 0;
-    for_each_spectrum([&](const SurfaceInteraction3f& si) {
+    constexpr float step_nm = 10;
+    for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
       const UnpolarizedSpectrum value = tint->eval(si);
       for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
         brightest = std::max(brightest, static_cast<double>(value[i]));
@@ -273,9 +298,9 @@ class GrooveParameters {
     return brightest;
   }
 
-  std::vector<vgroove::Index> indices() const {
+  std::vector<vgroove::Index> indices(float step_nm) const {
     std::vector<vgroove::Index> result;
-    for_each_spectrum([&](const SurfaceInteraction3f& si) {
+    for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
       const UnpolarizedSpectrum n = eta->eval(si), extinction = k->eval(si);
       for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i) {
         const auto index = vgroove::Index::of(n[i], extinction[i]);
@@ -290,10 +315,9 @@ class GrooveParameters {
 
   /// Calls `use` with interactions whose wavelengths, if the variant has any, cover what Mitsuba renders.
   template <class Use>
-  static void for_each_spectrum(Use&& use) {
+  static void for_each_spectrum([[maybe_unused]] float step_nm, Use&& use) {
     SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
     if constexpr (is_spectral_v<Spectrum>) {
-      constexpr float step_nm = 10;
       constexpr std::size_t lanes = dr::size_v<Wavelength>;
       for (float start = MI_CIE_MIN; start <= MI_CIE_MAX; start += step_nm * lanes) {
         for (std::size_t i = 0; i < lanes; ++i)

@@ -86,4 +86,5 @@
 #include "vcavity/rough/rough_bihemispherical.hpp"
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"
+#include "vcavity/plan/rough_planner.hpp"
 // clang-format on

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Which effects a rough surface calls for: the answer of planner.hpp for a distribution of grooves.
+///
+/// Method. The light that a rough surface reflects is the mean of what its grooves reflect, and so are the bounds of
+/// planner.hpp on what leaving out polarisation or long ways costs. They are averaged over the distribution by a
+/// plain rule in the two random numbers that draw a groove, and searched on a grid for the worst direction. Both are
+/// enlarged by a margin, which covers the error of the rule where the bounds are largest: it is measured, not proved
+/// (tests/rough).
+///
+/// The bounds hold for the light that leaves a surface under illumination of radiance 1 from everywhere or from
+/// parts of the sky; not for the value of the BRDF at a pair of directions, which has no bound.
+///
+/// When not to use it: for roughnesses above 2, whose grooves are narrower than the rule resolves.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+
+#include "vcavity/groove/cavity.hpp"
+#include "vcavity/groove/reflectance.hpp"
+#include "vcavity/plan/planner.hpp"
+#include "vcavity/rough/rough_bsdf.hpp"
+#include "vcavity/rough/slope_distribution.hpp"
+
+namespace vcavity {
+
+namespace detail {
+
+/// The errors of leaving out effects, averaged over the grooves of a distribution, in the worst of some directions.
+template <SlopeDistribution Distribution, class Facet>
+Omissions worst_rough_omissions(const Distribution& distribution, const Facet& facet) {
+  constexpr int slopes = 48;
+  constexpr int azimuths = 8;  // of a half-circle: the other half has the same grooves
+  constexpr double margin = 1.3;
+  constexpr std::array angles_deg{0.0, 30.0, 50.0, 70.0, 80.0, 87.0};
+  const TriedFacet<Facet> tried(facet);
+  std::array<std::array<Omissions, 2>, angles_deg.size()> sums;
+  for (auto& row : sums) row.fill(Omissions(0.0));
+  for (int i = 0; i < slopes; ++i) {
+    // u = 1 − t⁴: long ways are those of the few steepest grooves, at the end u = 1.
+    const double t = (i + 0.5) / slopes;
+    const double density = 4 * t * t * t;
+    for (int j = 0; j < azimuths; ++j) {
+      const Vec3<double> m = distribution.sample({1 - t * t * t * t, 0.5 * (j + 0.5) / azimuths});
+      const double across = std::hypot(m.x, m.y);
+      const Cavity<double> cavity(2 * std::atan2(m.z, across));
+      const Vec2<double> y_axis{m.x / across, m.y / across};
+      for (std::size_t row = 0; row < angles_deg.size(); ++row) {
+        for (std::size_t column = 0; column < 2; ++column) {
+          const double theta = radians(angles_deg[row]);
+          const double phi = static_cast<double>(column) * pi<double>() / 2;
+          const Vec3<double> e{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                               std::cos(theta)};
+          const Vec3<double> in_groove{e.x * y_axis.y - e.y * y_axis.x, e.x * y_axis.x + e.y * y_axis.y, e.z};
+          sums[row][column] = sums[row][column] + density * directional_reflectance(cavity, in_groove, tried);
+        }
+      }
+    }
+  }
+  Omissions worst(0.0);
+  for (const auto& row : sums)
+    for (const Omissions& sum : row)
+      for (std::size_t i = 0; i <= longest_cutoff; ++i) worst[i] = at_least(worst[i], sum[i]);
+  return (margin / (slopes * azimuths)) * worst;
+}
+
+}  // namespace detail
+
+/// The cheapest plan for a rough surface of one facet material.
+///
+/// The tolerance is shared equally among polarisation and bounces. Rounding is not planned: the relative error of
+/// a BRDF in float is some 1e-6, and weights of samples carry no more.
+///
+/// @param distribution of the slopes
+/// @param facet facet with amplitudes, such as `Conductor` or `Dielectric`
+/// @param tolerance largest absolute error of the directional albedo, > 0
+/// @throws std::invalid_argument when the tolerance is not a positive number
+template <SlopeDistribution Distribution, FieldReflector<double> Facet>
+EffectsPlan plan_rough_effects(const Distribution& distribution, const Facet& facet, double tolerance) {
+  if (!(tolerance > 0)) {
+    std::ostringstream message;
+    message << "the tolerance of a plan must be positive, not " << tolerance;
+    throw std::invalid_argument(message.str());
+  }
+  const double share = tolerance / 2;
+  const detail::Omissions errors = detail::worst_rough_omissions(distribution, facet);
+  EffectsPlan plan{true, all_bounces, true, {0, 0, 0, 0}};
+  if (const double error = errors[detail::longest_cutoff]; error <= share) {
+    plan.polarization = false;
+    plan.bounds.polarization = error;
+  }
+  for (std::size_t most = 1; most <= detail::longest_cutoff; ++most) {
+    if (errors[most - 1] > share) continue;
+    plan.max_bounces = static_cast<int>(most);
+    plan.bounds.bounces = errors[most - 1];
+    break;
+  }
+  return plan;
+}
+
+}  // namespace vcavity
