@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vcavity/vcavity.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using vcavity::Conductor;
+using vcavity::GgxSlopes;
+using vcavity::plan_rough_effects;
+
+// Reflects all but 4e-7 of the light at each bounce.
+const Conductor<double> almost_white(1e-3, 1e4);
+const Conductor<double> silver(0.125, 3.34);
+const Conductor<double> glass(1.5, 0.0);
+
+}  // namespace
+
+TEST_CASE("The plan of a rough surface bounds the light beyond its last bounce, and by little more") {
+  struct Known {
+    double roughness;
+    int bounces;
+    double lost;  // at normal incidence, by quadrature of the white BRDF
+  };
+  for (const auto& [roughness, bounces, lost] :
+       {Known{0.3, 3, 1.8e-2}, {0.3, 8, 3.0e-3}, {1.0, 3, 0.166}, {1.0, 8, 3.2e-2}, {1.0, 16, 8.8e-3}}) {
+    CAPTURE(roughness, bounces);
+    // A tolerance in whose half the light beyond `bounces` has just room.
+    const auto plan = plan_rough_effects(GgxSlopes<double>(roughness), almost_white, 2 * 1.5 * lost);
+    CHECK(plan.max_bounces <= bounces);
+    CHECK(plan.bounds.bounces <= 1.5 * lost);
+    const auto stricter = plan_rough_effects(GgxSlopes<double>(roughness), almost_white, 2 * lost);
+    CHECK(stricter.max_bounces > bounces);
+  }
+}
+
+TEST_CASE("A rough surface that absorbs more calls for fewer bounces") {
+  const GgxSlopes<double> slopes(0.6);
+  const auto of_white = plan_rough_effects(slopes, almost_white, 1e-2);
+  const auto of_silver = plan_rough_effects(slopes, silver, 1e-2);
+  const auto of_glass = plan_rough_effects(slopes, glass, 1e-2);
+  CHECK(of_white.max_bounces > of_silver.max_bounces);
+  CHECK(of_silver.max_bounces > of_glass.max_bounces);
+}
+
+TEST_CASE("Rough glass calls for polarisation at a tolerance at which silver does not") {
+  const GgxSlopes<double> slopes(0.5);
+  CHECK(plan_rough_effects(slopes, glass, 1e-3).polarization);
+  CHECK_FALSE(plan_rough_effects(slopes, silver, 1e-3).polarization);
+}
+
+TEST_CASE("The tolerance of a plan for a rough surface must be positive") {
+  for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(plan_rough_effects(GgxSlopes<double>(0.5), silver, tolerance), std::invalid_argument);
+}
