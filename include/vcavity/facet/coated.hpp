@@ -18,10 +18,10 @@
 /// admittance, and with e^{w/2} taken out. So nothing overflows in thick or evanescent films, weak contrast
 /// keeps its digits, and a film of thickness 0 changes nothing, bit for bit.
 ///
-/// A film that does not absorb passes on the flux Re((u + cB) B*) = Re X of what is below, times |e^w|. That
-/// product stands in for the sum wherever it applies: so the absorptance keeps its digits also where R is
-/// close to 1, and is 0 in total reflection. What a weakly absorbing film takes is known to ε of the flux
-/// that passes it.
+/// The absorptance is not formed from 1 − |r|². The flux Re((u + cB) B*) at the top is that into the substrate,
+/// Re X, times the |e^w| of all films, plus what films absorb, times the |e^w| of those above: sums of what is
+/// not negative, from the mean squares of the field in a film. So it keeps its digits where R is close to 1,
+/// be it that a mirror of many films absorbs little, and is 0 in total reflection.
 ///
 /// The sign of r_p is the one that makes r_p = r_s at normal incidence; the phase is that at the top of the
 /// stack.
@@ -91,6 +91,9 @@ Complex<Value> inverse_squared_index(const Complex<Value>& squared_index) {
   return Complex<Value>{Value(1), Value(0)} / squared_index;
 }
 
+/// Whether the flux through a stack is followed too.
+enum class Follow { amplitudes, flux };
+
 /// How light of one polarisation sees the part of a stack that is done: its admittance is c + u/B.
 template <class Value>
 struct StackedWave {
@@ -104,18 +107,26 @@ struct StackedWave {
 
   /// Adds a film on top.
   /// @param h, g, g_delta H, G and G Δ
-  /// @param decay Re w ≤ 0
-  /// @param transparent not negative where the film does not absorb
-  VCAVITY_INLINE void add(const Complex<Value>& h, const Complex<Value>& g, const Complex<Value>& g_delta,
-                          const Value& decay, const Value& transparent) {
+  VCAVITY_INLINE void add(const Complex<Value>& h, const Complex<Value>& g, const Complex<Value>& g_delta) {
     const Complex<Value> cg = c * g;
     const Complex<Value> below = u;
     u = below * (h - cg) + g_delta * b;
     b = b * (h + cg) + g * below;
     keep_finite();
-    const Value here = ((u + c * b) * conj(b)).re;
+  }
+
+  /// u + cB, the field that B is not: magnetic for s, electric for p light.
+  VCAVITY_INLINE Complex<Value> other_field() const { return u + c * b; }
+
+  /// Adds to the flux what the next film absorbs.
+  /// @param absorbed ≥ 0
+  /// @param decay Re w ≤ 0
+  /// @param transparent not negative where the film does not absorb
+  void add_flux(const Value& absorbed, const Value& decay, const Value& transparent) {
+    depth = depth + decay;
+    const Value here = flux * exponential(depth) + absorbed;
     flux = select_nonnegative(transparent, flux, here);
-    depth = select_nonnegative(transparent, Value(depth + decay), Value(0));
+    depth = select_nonnegative(transparent, depth, Value(0));
   }
 
   /// u + 2cB
@@ -126,8 +137,7 @@ struct StackedWave {
 
   /// 1 − |r|²
   Value absorptance() const {
-    const Value rest = Real(4) * (c * flux) / norm(sum()) * exponential(depth);
-    return at_most(at_least(rest, Real(0)), Real(1));
+    return at_most(Value(Real(4) * (c * flux) / norm(sum()) * exponential(depth)), Real(1));
   }
 
  private:
@@ -148,6 +158,93 @@ struct StackedWave {
 template <class Value>
 struct StackedWaves {
   StackedWave<Value> s, p;
+};
+
+/// How a wave of normal component q passes a film.
+template <class Value>
+struct FilmPassage {
+  using Real = scalar_t<Value>;
+
+  /// @param film_turn 4π times the thickness in wavelengths
+  /// @param q of the wave in the film
+  VCAVITY_INLINE FilmPassage(const Value& film_turn, const Complex<Value>& q)
+      : turn(film_turn), w{-(turn * q.im), turn * q.re} {
+    // e^w − 1 from sines and cosines of half the angle: no cancellation.
+    const Value half = Real(0.5) * w.im;
+    const Value sin_half = sine(half), cos_half = cosine(half);
+    one_less_cosine = Real(2) * (sin_half * sin_half);
+    lost = exponential_less_one(w.re);
+    sine_of_turn = Real(2) * (sin_half * cos_half);
+    change = {lost * (Value(1) - one_less_cosine) - one_less_cosine, (Value(1) + lost) * sine_of_turn};
+  }
+
+  /// H = 1 + ½(e^w − 1)
+  VCAVITY_INLINE Complex<Value> h() const {
+    return {Value(1) + Real(0.5) * change.re, Real(0.5) * change.im};
+  }
+
+  /// G of s light, −½ i turn (e^w − 1)/w; where w is too small to be divided by, its limit.
+  VCAVITY_INLINE Complex<Value> g() const {
+    const Complex<Value> mean = divided_by_w(change, Value(1));
+    const Value half_turn = Real(0.5) * turn;
+    return {half_turn * mean.im, -(half_turn * mean.re)};
+  }
+
+  /// x/w, or `limit` where w is too small.
+  VCAVITY_INLINE Complex<Value> divided_by_w(const Complex<Value>& x, const Value& limit) const {
+    const Value w_norm = norm(w);
+    const Real smallest = smallest_cosine<Real>() * smallest_cosine<Real>();
+    const Value is_small = Value(smallest) - w_norm;
+    const Complex<Value> ratio = Value(Value(1) / at_least(w_norm, smallest)) * (x * conj(w));
+    return {select_nonnegative(is_small, limit, ratio.re), select_nonnegative(is_small, Value(0), ratio.im)};
+  }
+
+  Value turn;
+  Complex<Value> w;
+  Value one_less_cosine, sine_of_turn;  ///< of the real phase Im w
+  Value lost;                           ///< e^{Re w} − 1
+  Complex<Value> change;                ///< e^w − 1
+};
+
+/// The means of |cos|², |sin|² and cos sin* of the phase across a film, times 2 e^{Re w}, and in part divided by q: a
+/// field a cos + b q sin has the mean square ½(|a|² cosines + |b|² |q|² sines + 2 Re a b* q* products). That of sines
+/// is a difference which nearly cancels in thin films; there it is summed as a series.
+template <class Value>
+struct FilmMeans {
+  using Real = scalar_t<Value>;
+
+  explicit FilmMeans(const FilmPassage<Value>& film) {
+    const Value one(1), decay = -film.w.re, phase = film.w.im, left = one + film.lost;
+    const auto over = [](const Value& x, const Value& y, const Value& limit) {
+      const Real smallest = smallest_cosine<Real>();
+      return select_nonnegative(Value(Value(smallest) - y), limit, Value(x / at_least(y, smallest)));
+    };
+    // e^{−A} sinh A/A, e^{−A} sin P/P, and with 1 − cos P and 1 − cosh A in place of the sines.
+    const Value sinh_mean = over(Value(Real(-0.5) * (film.lost * (one + left))), decay, one);
+    const Value sin_mean = over(Value(left * film.sine_of_turn), phase, one);
+    cosines = sinh_mean + sin_mean;
+    products = {over(Value(left * film.one_less_cosine), phase, Value(0)),
+                Real(-0.5) * over(Value(film.lost * film.lost), decay, Value(0))};
+
+    // Σ (A^{2j} − (−P²)^j)/(2j + 1)! over |w|² = A² + P².
+    constexpr int terms = 2 + std::numeric_limits<Real>::digits10 / 2;
+    const Value a2 = decay * decay, p2 = Real(-1) * (phase * phase);
+    Value power = one, quotient = one, series(0);
+    Real factor(1);
+    for (int j = 1; j <= terms; ++j) {
+      factor = factor / static_cast<Real>(2 * j * (2 * j + 1));
+      series = series + factor * quotient;
+      power = power * a2;
+      quotient = power + p2 * quotient;
+    }
+    const Value w_norm = norm(film.w);
+    const Value by_difference = (sinh_mean - sin_mean) / at_least(w_norm, Real(1));
+    sines = select_nonnegative(Value(one - w_norm), Value(left * series), by_difference);
+  }
+
+  Value cosines;
+  Value sines;  ///< over |w|²
+  Complex<Value> products;
 };
 
 }  // namespace detail
@@ -209,41 +306,46 @@ class Film {
   /// Puts the film on a stack; for `Coated`.
   /// @param cos_theta_i cosine of the angle of incidence
   /// @param waves the light in the stack below
-  template <class Cosine>
+  template <detail::Follow follow, class Cosine>
   VCAVITY_INLINE void add_to(detail::StackedWaves<Value>& waves, const Cosine& cos_theta_i) const {
     const detail::RefractedWave<Value> wave(squared_index_.re, contrast_, cos_theta_i);
-    // w = 4πi d q, and e^w − 1 from sines and cosines of half the angle: no cancellation.
-    const Value turn = Real(4) * pi<Real>() * thickness_;
-    const Complex<Value> w{-(turn * wave.w.im), turn * wave.w.re};
-    const Value half = Real(0.5) * w.im;
-    const Value sin_half = detail::sine(half), cos_half = detail::cosine(half);
-    const Value twice = Real(2) * (sin_half * sin_half);  // 1 − cos
-    const Value lost = detail::exponential_less_one(w.re);
-    const Complex<Value> change{lost * (Value(1) - twice) - twice,
-                                Real(2) * ((Value(1) + lost) * (sin_half * cos_half))};
-    // (e^w − 1)/w; it is 1 where w is too small to be divided by.
-    const Value w_norm = norm(w);
-    const Real smallest = detail::smallest_cosine<Real>() * detail::smallest_cosine<Real>();
-    const Value is_small = Value(smallest) - w_norm;
-    const Value inverse = Value(1) / at_least(w_norm, smallest);
-    const Complex<Value> ratio = inverse * (change * conj(w));
-    const Complex<Value> mean{select_nonnegative(is_small, Value(1), ratio.re),
-                              select_nonnegative(is_small, Value(0), ratio.im)};
-
-    const Value half_turn = Real(0.5) * turn;
-    const Complex<Value> h{Value(1) + Real(0.5) * change.re, Real(0.5) * change.im};
-    const Complex<Value> g{half_turn * mean.im, -(half_turn * mean.re)};
-    const Complex<Value> g_delta = g * contrast_;
-    const Value c2 = wave.c * wave.c;
-    const Complex<Value> bracket{wave.s2 * inverse_.re - c2, wave.s2 * inverse_.im};
-    const Value transparent = -contrast_.im;
-    waves.s.add(h, g, g_delta, w.re, transparent);
-    waves.p.add(h, g * squared_index_, g_delta * bracket, w.re, transparent);
+    const detail::FilmPassage<Value> film(Real(4) * pi<Real>() * thickness_, wave.w);
+    if constexpr (follow == detail::Follow::flux) add_flux_to(waves, wave, film);
+    const Complex<Value> h = film.h(), g = film.g(), g_delta = g * contrast_;
+    const Complex<Value> bracket{wave.s2 * inverse_.re - wave.c * wave.c, wave.s2 * inverse_.im};
+    waves.s.add(h, g, g_delta);
+    waves.p.add(h, g * squared_index_, g_delta * bracket);
   }
 
  private:
   template <class Other>
   friend class Film;
+
+  // The flux grows through the film by 2π Im n² ∫|B|² for s, and by 2π Im n² ∫(|U|² + s²|B/n²|²) for p light, with
+  // U = u + cB and B = B cos − i (U/X) sin, U = U cos − i X B sin of the phase 2π q z.
+  void add_flux_to(detail::StackedWaves<Value>& waves, const detail::RefractedWave<Value>& wave,
+                   const detail::FilmPassage<Value>& film) const {
+    const detail::FilmMeans<Value> means(film);
+    // |a cos + b sin|² of fields b = −i b_q q and, below, b = −i b_1.
+    const Value sines_q = film.turn * film.turn * means.sines;
+    const Complex<Value> over_w = film.divided_by_w(conj(means.products), Value(0));
+    const Complex<Value> products_q{-(film.turn * over_w.im), -(film.turn * over_w.re)};  // products/q*
+    const auto mean_square = [](const Complex<Value>& a, const Complex<Value>& b, const Value& cosines,
+                                const Value& sines, const Complex<Value>& products) {
+      return norm(a) * cosines + norm(b) * sines - Real(2) * (a * conj(b) * products).im;
+    };
+    const Value strength = Real(0.25) * (film.turn * contrast_.im);
+
+    const Complex<Value> u_s = waves.s.other_field(), u_p = waves.p.other_field();
+    const Value s = mean_square(waves.s.b, u_s, means.cosines, sines_q, products_q);
+    const Value sines = norm(film.w) * means.sines;
+    const Value along = mean_square(u_p, inverse_ * wave.w * waves.p.b, means.cosines, sines, means.products);
+    const Value across = mean_square(waves.p.b, squared_index_ * u_p, means.cosines, sines_q, products_q);
+    const Value transparent = -contrast_.im;
+    waves.s.add_flux(strength * at_least(s, Real(0)), film.w.re, transparent);
+    waves.p.add_flux(strength * at_least(Value(along + wave.s2 * norm(inverse_) * across), Real(0)),
+                     film.w.re, transparent);
+  }
 
   Film(const Conductor<Value>& medium, const Value& thickness)
       : squared_index_(detail::squared_index(medium)),
@@ -296,7 +398,7 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Value operator()(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Follow::amplitudes>(cos_theta_i);
     return at_most(Value(Real(0.5) * (waves.s.reflectance() + waves.p.reflectance())), Real(1));
   }
 
@@ -314,7 +416,7 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Absorptances<Value> absorptances(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_.absorptances(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Follow::flux>(cos_theta_i);
     return {waves.s.absorptance(), waves.p.absorptance()};
   }
 
@@ -323,7 +425,7 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_.amplitudes(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Follow::amplitudes>(cos_theta_i);
     const Complex<Value> minus_u{-waves.s.u.re, -waves.s.u.im};
     return {minus_u / waves.s.sum(), waves.p.u / waves.p.sum()};
   }
@@ -379,7 +481,7 @@ class Coated {
     ++count_;
   }
 
-  template <class Cosine>
+  template <detail::Follow follow, class Cosine>
   detail::StackedWaves<Value> stacked(const Cosine& cos_theta_i) const {
     const Complex<Value> m = detail::as_complex(substrate_.contrast());
     const Complex<Value> squared_index = detail::squared_index(substrate_);
@@ -390,7 +492,7 @@ class Coated {
     detail::StackedWaves<Value> waves{
         {m / (c + wave.w), one, wave.w.re, Value(0), wave.c},
         {m * bracket / (wave.c * squared_index + wave.w), one, flux_p, Value(0), wave.c}};
-    for (std::size_t i = count_; i-- > 0;) films_[i].add_to(waves, cos_theta_i);
+    for (std::size_t i = count_; i-- > 0;) films_[i].template add_to<follow>(waves, cos_theta_i);
     return waves;
   }
 
