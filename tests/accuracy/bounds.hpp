@@ -8,6 +8,13 @@ namespace vcavity::test {
 /// Of reflectance, absorptance and amplitudes of a plane interface.
 inline constexpr double fresnel_bound = 8;
 
+/// Of reflectance and amplitudes of two thin films on a substrate; some 10 but for films of metal that all
+/// but carry a surface plasmon below, and for substrates of |n| in the hundreds.
+inline constexpr double coated_bound = 512;
+
+/// Of their absorptances, for the same reason.
+inline constexpr double coated_absorptance_bound = 8192;
+
 /// Of cosines of incidence and directions, after any number of bounces.
 inline constexpr double direction_bound = 8;
 

@@ -13,6 +13,10 @@ namespace vcavity::test {
 template <class Real>
 std::vector<Subject<Real>> fresnel_subjects();
 
+/// The same of two thin films on a substrate.
+template <class Real>
+std::vector<Subject<Real>> coated_subjects();
+
 /// What the groove makes of a direction: cosines of incidence, weights, reflectance and absorptance.
 template <class Real>
 std::vector<Subject<Real>> groove_subjects();
@@ -33,8 +37,8 @@ std::vector<Subject<Real>> surface_subjects();
 template <class Real>
 std::vector<Subject<Real>> all_subjects() {
   std::vector<Subject<Real>> all;
-  for (auto* subjects : {fresnel_subjects<Real>, groove_subjects<Real>, ray_subjects<Real>,
-                         polarization_subjects<Real>, surface_subjects<Real>})
+  for (auto* subjects : {fresnel_subjects<Real>, coated_subjects<Real>, groove_subjects<Real>,
+                         ray_subjects<Real>, polarization_subjects<Real>, surface_subjects<Real>})
     for (Subject<Real>& subject : subjects()) all.push_back(std::move(subject));
   return all;
 }

@@ -123,6 +123,29 @@ template <class T>
 }
 
 template <class T>
+[[gnu::noinline]] void use_films(const std::vector<T>& cosines, Sink<T>& sink) {
+  const Traps traps;
+  // The ends of the ranges, epsilon-near-zero films, films that are not there.
+  for (const T& n : {T(2e-4), T(1), T(1.5), T(5e3)})
+    for (const T& k : {T(0), std::numeric_limits<T>::denorm_min(), T(1), T(5e3)})
+      for (const T& thickness : {T(0), std::numeric_limits<T>::denorm_min(), T(0.1), T(1e6)}) {
+        std::vector<Film<T>> films;
+        for (int i = 0; i < 6; ++i) {
+          films.emplace_back(n, k, thickness);
+          films.emplace_back(T(1) / n, k, thickness);
+        }
+        for (const T& of_substrate : {T(2e-4), T(1), T(5e3)}) {
+          const Coated facet(Conductor<T>(of_substrate, k), films);
+          for (const T& c : cosines) {
+            sink(facet(c));
+            sink(facet.absorptance(c));
+            sink(facet.amplitudes(c));
+          }
+        }
+      }
+}
+
+template <class T>
 [[gnu::noinline]] void use_groove(const Cavity<T>& cavity, const Vec3<T>& e, const Conductor<T>& facet,
                                   Sink<T>& sink) {
   const Traps traps;
@@ -187,6 +210,8 @@ TEMPLATE_TEST_CASE("no facet runs into a trap", "", float, double, long double) 
   Sink<T> sink;
   use_facets(hard_indices<T>(), hard_cosines<T>(), sink);
   CHECK(sink.count() > 5000);
+  use_films(hard_cosines<T>(), sink);
+  CHECK(sink.count() > 10000);
 }
 
 TEMPLATE_TEST_CASE("no groove runs into a trap", "", float, double, long double) {

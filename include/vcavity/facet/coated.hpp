@@ -8,20 +8,20 @@
 /// q for s and q/n² for p light, the stack seen from above has the admittance X = c + u/B. From the substrate
 /// up,
 ///
-///     u = Δ/(X + c), B = 1,                       Δ = X² − c² = m for s, −(m/n²)(c² − s²/n²) for p light;
-///     u ← u (H − c G) + G Δ_j B,                  H = 1 + ½(e^w − 1), w = 4πi d_j q_j,
-///     B ← B (H + c G) + G u,                      G = −2πi d_j (e^w − 1)/w · (1 for s, n_j² for p light);
-///     r_s = −u/(u + 2cB), r_p = u/(u + 2cB),      1 − |r|² = 4c Re((u + cB) B*)/|u + 2cB|².
+///     u = X − c, B = 1,                          X − c = m/(q + c) for s, m (s²/n² − c²)/(q + c n²) for p;
+///     t = G (u + (X_j + c) B),                   w = 4πi d_j q_j, G = −2πi d_j (e^w − 1)/w · (n_j² for p);
+///     u ← e^w u + (X_j − c) t,  B ← e^w B + t;
+///     r_s = −u/(u + 2cB), r_p = u/(u + 2cB).
 ///
 /// It is the recursion of the characteristic matrix (Abelès 1950; Born & Wolf, "Principles of Optics", 7th
 /// ed., §1.6), with the difference u of the admittance to that of the incident medium in place of the
 /// admittance, and with e^{w/2} taken out. So nothing overflows in thick or evanescent films, weak contrast
 /// keeps its digits, and a film of thickness 0 changes nothing, bit for bit.
 ///
-/// The absorptance is not formed from 1 − |r|². The flux Re((u + cB) B*) at the top is that into the substrate,
-/// Re X, times the |e^w| of all films, plus what films absorb, times the |e^w| of those above: sums of what is
-/// not negative, from the mean squares of the field in a film. So it keeps its digits where R is close to 1,
-/// be it that a mirror of many films absorbs little, and is 0 in total reflection.
+/// The absorptance is not formed from 1 − |r|². The flux Re((u + cB) B*) at the top is that into the
+/// substrate, Re X, times the |e^w| of all films, plus what films absorb, times the |e^w| of those above:
+/// sums of what is not negative, from the mean squares of the field in a film. So it keeps its digits where R
+/// is close to 1, be it that a mirror of many films absorbs little, and is 0 in total reflection.
 ///
 /// The sign of r_p is the one that makes r_p = r_s at normal incidence; the phase is that at the top of the
 /// stack.
@@ -72,27 +72,70 @@ void require_range(const Value& a, const scalar_t<Value>& low, const scalar_t<Va
   });
 }
 
-/// n² of an interface, whose contrast alone would lose digits where n is small.
-template <class Interface>
-auto squared_index(const Interface& interface) {
-  const auto m = as_complex(interface.contrast());
-  return decltype(m){interface.permittivity(), m.im};
-}
-
-/// 1/n² of a medium in a stack.
-/// @throws std::invalid_argument when |n + ik| is not in [1e-4, 1e4]: between such media no product
-/// overflows, see `keep_finite`
+/// A medium of a stack: n², the contrast n² − 1, which alone would lose digits where n is small, and 1/n².
 template <class Value>
-Complex<Value> inverse_squared_index(const Complex<Value>& squared_index) {
+struct Medium {
   using Real = scalar_t<Value>;
-  using std::sqrt;
-  const Value modulus = sqrt(sqrt(norm(squared_index)));
-  require_range(modulus, Real(1e-4L), Real(1e4L), "the refractive index |n + ik| in a stack of films");
-  return Complex<Value>{Value(1), Value(0)} / squared_index;
-}
+
+  /// @param interface to the medium, such as `Conductor`
+  /// @throws std::invalid_argument when |n + ik| is not in [1e-4, 1e4]: between such media no product
+  /// overflows, see `StackedWave`
+  template <class Interface>
+  explicit Medium(const Interface& interface) : contrast(as_complex(interface.contrast())) {
+    using std::sqrt;
+    squared_index = {interface.permittivity(), contrast.im};
+    const Value index = sqrt(sqrt(norm(squared_index)));
+    require_range(index, Real(1e-4L), Real(1e4L), "the refractive index |n + ik| in a stack of films");
+    inverse = Complex<Value>{Value(1), Value(0)} / squared_index;
+  }
+
+  /// The same medium in another number type, or for a `Pack` of equal components.
+  template <class Other>
+  Medium<Other> in() const {
+    const auto converted = [](const Complex<Value>& z) {
+      return Complex<Other>{static_cast<Other>(z.re), static_cast<Other>(z.im)};
+    };
+    return {converted(contrast), converted(squared_index), converted(inverse)};
+  }
+
+  Complex<Value> contrast, squared_index, inverse;
+
+ private:
+  template <class Other>
+  friend struct Medium;
+
+  Medium(const Complex<Value>& m, const Complex<Value>& n2, const Complex<Value>& of_n2)
+      : contrast(m), squared_index(n2), inverse(of_n2) {}
+};
+
+/// A wave in a medium of a stack.
+template <class Value>
+struct MediumWave : RefractedWave<Value> {
+  using Real = scalar_t<Value>;
+  using RefractedWave<Value>::c, RefractedWave<Value>::s2;
+
+  /// @param cos_theta_i cosine of the angle of incidence
+  template <class Cosine>
+  VCAVITY_INLINE MediumWave(const Medium<Value>& medium, const Cosine& cos_theta_i)
+      : RefractedWave<Value>(medium.squared_index.re, medium.contrast, cos_theta_i) {
+    const Complex<Value>& q = this->w;
+    sum_s = {q.re + c, q.im};
+    excess_s = medium.contrast / sum_s;
+    const Complex<Value> cn2 = c * medium.squared_index, difference = q - cn2;
+    sum_p = q + cn2;
+    // (q − c n²)/n², or where q and c n² are close to each other the same from the contrast.
+    const Complex<Value> bracket{s2 * medium.inverse.re - c * c, s2 * medium.inverse.im};
+    const Complex<Value> near = medium.contrast * bracket / sum_p, far = difference * medium.inverse;
+    const Value is_far = Real(4) * norm(difference) - norm(q) - norm(cn2);
+    excess_p = {select_nonnegative(is_far, far.re, near.re), select_nonnegative(is_far, far.im, near.im)};
+  }
+
+  Complex<Value> sum_s, sum_p;        ///< X + c for s, (X + c) n² for p light
+  Complex<Value> excess_s, excess_p;  ///< X − c
+};
 
 /// Whether the flux through a stack is followed too.
-enum class Follow { amplitudes, flux };
+enum class Tracked { amplitudes, flux };
 
 /// How light of one polarisation sees the part of a stack that is done: its admittance is c + u/B.
 template <class Value>
@@ -106,12 +149,12 @@ struct StackedWave {
   Value c;      ///< cosine of the angle of incidence
 
   /// Adds a film on top.
-  /// @param h, g, g_delta H, G and G Δ
-  VCAVITY_INLINE void add(const Complex<Value>& h, const Complex<Value>& g, const Complex<Value>& g_delta) {
-    const Complex<Value> cg = c * g;
-    const Complex<Value> below = u;
-    u = below * (h - cg) + g_delta * b;
-    b = b * (h + cg) + g * below;
+  /// @param e e^w
+  /// @param t G (u + (X + c) B)
+  /// @param excess X − c
+  VCAVITY_INLINE void add(const Complex<Value>& e, const Complex<Value>& t, const Complex<Value>& excess) {
+    u = e * u + excess * t;
+    b = e * b + t;
     keep_finite();
   }
 
@@ -178,10 +221,8 @@ struct FilmPassage {
     change = {lost * (Value(1) - one_less_cosine) - one_less_cosine, (Value(1) + lost) * sine_of_turn};
   }
 
-  /// H = 1 + ½(e^w − 1)
-  VCAVITY_INLINE Complex<Value> h() const {
-    return {Value(1) + Real(0.5) * change.re, Real(0.5) * change.im};
-  }
+  /// e^w
+  VCAVITY_INLINE Complex<Value> factor() const { return {Value(1) + change.re, change.im}; }
 
   /// G of s light, −½ i turn (e^w − 1)/w; where w is too small to be divided by, its limit.
   VCAVITY_INLINE Complex<Value> g() const {
@@ -206,9 +247,10 @@ struct FilmPassage {
   Complex<Value> change;                ///< e^w − 1
 };
 
-/// The means of |cos|², |sin|² and cos sin* of the phase across a film, times 2 e^{Re w}, and in part divided by q: a
-/// field a cos + b q sin has the mean square ½(|a|² cosines + |b|² |q|² sines + 2 Re a b* q* products). That of sines
-/// is a difference which nearly cancels in thin films; there it is summed as a series.
+/// The means of |cos|², |sin|² and cos sin* of the phase across a film, times 2 e^{Re w}, and in part divided
+/// by q: a field a cos + b q sin has the mean square ½(|a|² cosines + |b|² |q|² sines + 2 Re a b* q*
+/// products). That of sines is a difference which nearly cancels in thin films; there it is summed as a
+/// series.
 template <class Value>
 struct FilmMeans {
   using Real = scalar_t<Value>;
@@ -221,14 +263,15 @@ struct FilmMeans {
     };
     // e^{−A} sinh A/A, e^{−A} sin P/P, and with 1 − cos P and 1 − cosh A in place of the sines.
     const Value sinh_mean = over(Value(Real(-0.5) * (film.lost * (one + left))), decay, one);
-    const Value sin_mean = over(Value(left * film.sine_of_turn), phase, one);
+    const Value sin_mean = over(Value(left * film.sine_of_turn), phase, left);
     cosines = sinh_mean + sin_mean;
     products = {over(Value(left * film.one_less_cosine), phase, Value(0)),
                 Real(-0.5) * over(Value(film.lost * film.lost), decay, Value(0))};
 
-    // Σ (A^{2j} − (−P²)^j)/(2j + 1)! over |w|² = A² + P².
+    // Σ (A^{2j} − (−P²)^j)/(2j + 1)! over |w|² = A² + P², for A and P up to 1.
     constexpr int terms = 2 + std::numeric_limits<Real>::digits10 / 2;
-    const Value a2 = decay * decay, p2 = Real(-1) * (phase * phase);
+    const Value a = at_most(decay, Real(1)), p = at_most(phase, Real(1));
+    const Value a2 = a * a, p2 = -(p * p);
     Value power = one, quotient = one, series(0);
     Real factor(1);
     for (int j = 1; j <= terms; ++j) {
@@ -282,7 +325,7 @@ class Film {
   }
 
   /// (n + ik)² − 1
-  const Complex<Value>& contrast() const { return contrast_; }
+  const Complex<Value>& contrast() const { return medium_.contrast; }
 
   /// Whether there is anything of it, in some component.
   bool present() const { return largest(thickness_) > Real(0); }
@@ -292,38 +335,29 @@ class Film {
   Film<Other> in() const
     requires Number<Value>
   {
-    const auto converted = [](const Complex<Value>& z) {
-      return Complex<Other>{static_cast<Other>(z.re), static_cast<Other>(z.im)};
-    };
-    Film<Other> result;
-    result.squared_index_ = converted(squared_index_);
-    result.contrast_ = converted(contrast_);
-    result.inverse_ = converted(inverse_);
-    result.thickness_ = static_cast<Other>(thickness_);
-    return result;
+    return Film<Other>(medium_.template in<Other>(), static_cast<Other>(thickness_));
   }
 
   /// Puts the film on a stack; for `Coated`.
   /// @param cos_theta_i cosine of the angle of incidence
   /// @param waves the light in the stack below
-  template <detail::Follow follow, class Cosine>
+  template <detail::Tracked tracked, class Cosine>
   VCAVITY_INLINE void add_to(detail::StackedWaves<Value>& waves, const Cosine& cos_theta_i) const {
-    const detail::RefractedWave<Value> wave(squared_index_.re, contrast_, cos_theta_i);
+    const detail::MediumWave<Value> wave(medium_, cos_theta_i);
     const detail::FilmPassage<Value> film(Real(4) * pi<Real>() * thickness_, wave.w);
-    if constexpr (follow == detail::Follow::flux) add_flux_to(waves, wave, film);
-    const Complex<Value> h = film.h(), g = film.g(), g_delta = g * contrast_;
-    const Complex<Value> bracket{wave.s2 * inverse_.re - wave.c * wave.c, wave.s2 * inverse_.im};
-    waves.s.add(h, g, g_delta);
-    waves.p.add(h, g * squared_index_, g_delta * bracket);
+    if constexpr (tracked == detail::Tracked::flux) add_flux_to(waves, wave, film);
+    const Complex<Value> e = film.factor(), g = film.g();
+    waves.s.add(e, g * (waves.s.u + wave.sum_s * waves.s.b), wave.excess_s);
+    waves.p.add(e, g * (medium_.squared_index * waves.p.u + wave.sum_p * waves.p.b), wave.excess_p);
   }
 
  private:
   template <class Other>
   friend class Film;
 
-  // The flux grows through the film by 2π Im n² ∫|B|² for s, and by 2π Im n² ∫(|U|² + s²|B/n²|²) for p light, with
-  // U = u + cB and B = B cos − i (U/X) sin, U = U cos − i X B sin of the phase 2π q z.
-  void add_flux_to(detail::StackedWaves<Value>& waves, const detail::RefractedWave<Value>& wave,
+  // The flux grows through the film by 2π Im n² ∫|B|² for s, and by 2π Im n² ∫(|U|² + s²|B/n²|²) for p light,
+  // with U = u + cB and B = B cos − i (U/X) sin, U = U cos − i X B sin of the phase 2π q z.
+  void add_flux_to(detail::StackedWaves<Value>& waves, const detail::MediumWave<Value>& wave,
                    const detail::FilmPassage<Value>& film) const {
     const detail::FilmMeans<Value> means(film);
     // |a cos + b sin|² of fields b = −i b_q q and, below, b = −i b_1.
@@ -334,30 +368,30 @@ class Film {
                                 const Value& sines, const Complex<Value>& products) {
       return norm(a) * cosines + norm(b) * sines - Real(2) * (a * conj(b) * products).im;
     };
-    const Value strength = Real(0.25) * (film.turn * contrast_.im);
+    const Value strength = Real(0.25) * (film.turn * medium_.contrast.im);
 
     const Complex<Value> u_s = waves.s.other_field(), u_p = waves.p.other_field();
     const Value s = mean_square(waves.s.b, u_s, means.cosines, sines_q, products_q);
     const Value sines = norm(film.w) * means.sines;
-    const Value along = mean_square(u_p, inverse_ * wave.w * waves.p.b, means.cosines, sines, means.products);
-    const Value across = mean_square(waves.p.b, squared_index_ * u_p, means.cosines, sines_q, products_q);
-    const Value transparent = -contrast_.im;
+    const Value along =
+        mean_square(u_p, medium_.inverse * wave.w * waves.p.b, means.cosines, sines, means.products);
+    const Value across =
+        mean_square(waves.p.b, medium_.squared_index * u_p, means.cosines, sines_q, products_q);
+    const Value transparent = -medium_.contrast.im;
     waves.s.add_flux(strength * at_least(s, Real(0)), film.w.re, transparent);
-    waves.p.add_flux(strength * at_least(Value(along + wave.s2 * norm(inverse_) * across), Real(0)),
+    waves.p.add_flux(strength * at_least(Value(along + wave.s2 * norm(medium_.inverse) * across), Real(0)),
                      film.w.re, transparent);
   }
 
-  Film(const Conductor<Value>& medium, const Value& thickness)
-      : squared_index_(detail::squared_index(medium)),
-        contrast_(medium.contrast()),
-        inverse_(detail::inverse_squared_index(squared_index_)),
-        thickness_(thickness) {
+  Film(const detail::Medium<Value>& medium, const Value& thickness)
+      : medium_(medium), thickness_(thickness) {}
+
+  Film(const Conductor<Value>& interface, const Value& thickness)
+      : medium_(interface), thickness_(thickness) {
     detail::require_range(thickness, Real(0), Real(1e6L), "the thickness of a film in wavelengths");
   }
 
-  Complex<Value> squared_index_;  // n²
-  Complex<Value> contrast_;       // n² − 1
-  Complex<Value> inverse_;        // 1/n²
+  detail::Medium<Value> medium_;
   Value thickness_;
 };
 
@@ -382,7 +416,7 @@ class Coated {
   /// @throws std::invalid_argument when there is no room for so many films, or when the index of the
   /// substrate is out of range
   Coated(const Substrate& substrate, std::span<const Film<Value>> films)
-      : substrate_(substrate), inverse_(detail::inverse_squared_index(detail::squared_index(substrate))) {
+      : substrate_(substrate), medium_(substrate) {
     for (const Film<Value>& film : films)
       if (film.present()) add(film);
   }
@@ -398,12 +432,12 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Value operator()(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked<detail::Follow::amplitudes>(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Tracked::amplitudes>(cos_theta_i);
     return at_most(Value(Real(0.5) * (waves.s.reflectance() + waves.p.reflectance())), Real(1));
   }
 
   /// What is not reflected of unpolarised light: absorbed in films and substrate, or refracted into a
-  /// transparent substrate. To full relative precision where no film absorbs weakly.
+  /// transparent substrate. To full relative precision.
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
   template <CosineFor<Value> Cosine>
   Value absorptance(const Cosine& cos_theta_i) const {
@@ -416,7 +450,7 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Absorptances<Value> absorptances(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_.absorptances(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked<detail::Follow::flux>(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Tracked::flux>(cos_theta_i);
     return {waves.s.absorptance(), waves.p.absorptance()};
   }
 
@@ -425,7 +459,7 @@ class Coated {
   template <CosineFor<Value> Cosine>
   Amplitudes<Value> amplitudes(const Cosine& cos_theta_i) const {
     if (count_ == 0) return substrate_.amplitudes(cos_theta_i);
-    const detail::StackedWaves<Value> waves = stacked<detail::Follow::amplitudes>(cos_theta_i);
+    const detail::StackedWaves<Value> waves = stacked<detail::Tracked::amplitudes>(cos_theta_i);
     const Complex<Value> minus_u{-waves.s.u.re, -waves.s.u.im};
     return {minus_u / waves.s.sum(), waves.p.u / waves.p.sum()};
   }
@@ -438,7 +472,7 @@ class Coated {
   std::array<std::complex<double>, 2> singular_cosines() const
     requires Number<Value>
   {
-    const Complex<Value> m = detail::as_complex(substrate_.contrast());
+    const Complex<Value>& m = medium_.contrast;
     const std::complex<double> branch =
         std::sqrt(-std::complex<double>(static_cast<double>(m.re), static_cast<double>(m.im)));
     return {branch, -branch};
@@ -481,23 +515,20 @@ class Coated {
     ++count_;
   }
 
-  template <detail::Follow follow, class Cosine>
+  template <detail::Tracked tracked, class Cosine>
   detail::StackedWaves<Value> stacked(const Cosine& cos_theta_i) const {
-    const Complex<Value> m = detail::as_complex(substrate_.contrast());
-    const Complex<Value> squared_index = detail::squared_index(substrate_);
-    const detail::RefractedWave<Value> wave(squared_index.re, m, cos_theta_i);
-    const Complex<Value> c{wave.c, Value(0)}, one{Value(1), Value(0)};
-    const Complex<Value> bracket{wave.s2 * inverse_.re - wave.c * wave.c, wave.s2 * inverse_.im};
-    const Value flux_p = wave.w.re * (wave.w_norm + wave.s2) * norm(inverse_);
-    detail::StackedWaves<Value> waves{
-        {m / (c + wave.w), one, wave.w.re, Value(0), wave.c},
-        {m * bracket / (wave.c * squared_index + wave.w), one, flux_p, Value(0), wave.c}};
-    for (std::size_t i = count_; i-- > 0;) films_[i].template add_to<follow>(waves, cos_theta_i);
+    const detail::MediumWave<Value> wave(medium_, cos_theta_i);
+    const Complex<Value> one{Value(1), Value(0)};
+    // Re X of q/n² is Re q (|q|² + s²)/|n²|²: no cancellation in metals.
+    const Value flux_p = wave.w.re * (wave.w_norm + wave.s2) * norm(medium_.inverse);
+    detail::StackedWaves<Value> waves{{wave.excess_s, one, wave.w.re, Value(0), wave.c},
+                                      {wave.excess_p, one, flux_p, Value(0), wave.c}};
+    for (std::size_t i = count_; i-- > 0;) films_[i].template add_to<tracked>(waves, cos_theta_i);
     return waves;
   }
 
   Substrate substrate_;
-  Complex<Value> inverse_;  // 1/n² of the substrate
+  detail::Medium<Value> medium_;  // of the substrate
   std::conditional_t<max_films == std::dynamic_extent, std::vector<Film<Value>>,
                      std::array<Film<Value>, max_films == std::dynamic_extent ? 1 : max_films>>
       films_;
