@@ -8,6 +8,7 @@
 #include "vcavity/version.hpp"
 // numbers/ knows no light: what the library computes with.
 #include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/pack.hpp"

@@ -154,3 +154,25 @@ TEST_CASE("widths that are no widths are refused with their value") {
     CHECK_THROWS_WITH(SpreadGrooveBsdf(grooves, width),
                       Catch::Matchers::ContainsSubstring("width of a lobe"));
 }
+
+TEMPLATE_TEST_CASE("both ends of the random numbers draw a direction, whatever the width", "", float,
+                   double) {
+  using Real = TestType;
+  const GrooveBsdf grooves(Cavity<Real>(radians(Real(60))), Conductor<Real>(Real(0.1249), Real(3.3391)));
+  for (const Real& width :
+       {VonMisesFisher<Real>::smallest_width(), Real(1e-4), Real(0.02), Real(1), Real(10)}) {
+    const SpreadGrooveBsdf bsdf(grooves, width);
+    for (const Real& u_lobe : {Real(0), Real(0.5), Real(1)})
+      for (const Real& u_x : {Real(0), Real(0.5), Real(1)})
+        for (const Real& u_y : {Real(0), Real(0.5), Real(1)})
+          for (const Real& theta : {Real(0), Real(0.8), Real(1.55)}) {
+            const auto sample = bsdf.sample(direction(theta, Real(0.7)), u_lobe, {u_x, u_y});
+            CAPTURE(width, u_lobe, u_x, u_y, theta);
+            REQUIRE(sample);
+            CHECK(sample->probability > 0);
+            CHECK(std::isfinite(sample->probability));
+            CHECK(sample->weight > 0);
+            CHECK(sample->weight <= Real(1.0001));
+          }
+  }
+}

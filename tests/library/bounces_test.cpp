@@ -65,7 +65,13 @@ TEMPLATE_LIST_TEST_CASE("light along the horizon and along the groove is answere
   using Real = TestType;
   const Cavity<Real> cavity(radians(Real(45)));
   const Vec3<Real> along{Real(1), Real(0), Real(0)};
-  CHECK(ray_path(cavity, along, Real(0.3)).bounces == 1);
+  // The same as light from straight above.
+  const Vec3<Real> above{Real(0), Real(0), Real(1)};
+  for (const Real& position : {Real(-0.9), Real(-0.2), Real(0.3), Real(1)}) {
+    const RayPath path = ray_path(cavity, along, position);
+    CHECK(path.bounces == ray_path(cavity, above, position).bounces);
+    CHECK(path.first_panel == ray_path(cavity, above, position).first_panel);
+  }
   const Vec3<Real> across{Real(0), Real(1), Real(0)};
   CHECK(ray_path(cavity, across, Real(0.3)).bounces == 1);
   CHECK(ray_path(cavity, across, Real(0.3)).first_panel == Panel::one);

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+#include <utility>
 #include <vcavity/groove/cavity.hpp>
 
 #include "support/catch.hpp"
@@ -11,10 +17,11 @@ TEMPLATE_LIST_TEST_CASE("an aperture that is not positive or exceeds π is refus
                         Reals) {
   using Real = TestType;
   for (const Real& aperture :
-       {Real(0), Real(-1), Real(3.2), Real(1e30), std::numeric_limits<Real>::quiet_NaN()})
+       {Real(0), Real(-1), Real(3.2), Real(1e30), Real(1.9e-9), std::numeric_limits<Real>::denorm_min(),
+        std::numeric_limits<Real>::quiet_NaN()})
     CHECK_THROWS_AS(Cavity<Real>(aperture), std::invalid_argument);
-  CHECK_THROWS_WITH(Cavity<Real>(Real(-1)),
-                    Catch::Matchers::ContainsSubstring("(0, π]") && Catch::Matchers::ContainsSubstring("-1"));
+  CHECK_THROWS_WITH(Cavity<Real>(Real(-1)), Catch::Matchers::ContainsSubstring("2e-09, π]") &&
+                                                Catch::Matchers::ContainsSubstring("-1"));
   CHECK_NOTHROW(Cavity<Real>(pi<Real>()));
 }
 
@@ -61,4 +68,73 @@ TEMPLATE_LIST_TEST_CASE("a flat surface has no depth", "", HardwareReals) {
   CHECK(flat.cos_half() >= Real(0));
   CHECK(flat.cos_half() < epsilon<Real>());
   CHECK(flat.max_bounces() == 1);
+}
+
+TEMPLATE_LIST_TEST_CASE("of the multiples of half the aperture only those are kept that the bounces need", "",
+                        HardwareReals) {
+  using Real = TestType;
+  for (const double aperture_deg : {180.0, 100.0, 60.0, 45.0, 30.0, 20.0, 1.0}) {
+    const Cavity<Real> cavity(radians(Real(aperture_deg)));
+    CAPTURE(aperture_deg);
+    CHECK(cavity.tabulated_multiples() == std::min(2 * cavity.max_bounces() + 1, 15));
+    for (int k = 0; k <= 40; ++k) {
+      const Real angle = Real(k) * (cavity.aperture() / Real(2));
+      CHECK(cavity.multiple(k).sine == std::sin(angle));
+      CHECK(cavity.multiple(k).cosine == (k == 1 ? cavity.cos_half() : std::cos(angle)));
+    }
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("a groove of given facets is that of their aperture, to the error of the normal", "",
+                        HardwareReals) {
+  using Real = TestType;
+  double worst = 0;
+  for (int i = 1; i < 2000; ++i) {
+    const Real aperture = pi<Real>() * Real(i) / Real(2000);
+    const Real up = std::sin(aperture / Real(2)), across = std::cos(aperture / Real(2));
+    const Digits50 half = atan2(Digits50(up), Digits50(across));
+    const Cavity<Real> expected(static_cast<Real>(Digits50(2 * half)));
+    for (const Real& length : {Real(1), Real(0.3), Real(-7)}) {
+      const Cavity<Real> cavity = Cavity<Real>::from_normal(length * across, std::abs(length) * up);
+      CAPTURE(i, length);
+      CHECK(cavity.aperture() == Approx(expected.aperture()).epsilon(1e-5));
+      CHECK(cavity.max_bounces() == expected.max_bounces());
+      CHECK(cavity.tabulated_multiples() == expected.tabulated_multiples());
+      if (length != Real(1)) continue;
+      CHECK(error_in_epsilons(cavity.versine_half(), Digits50(1 - cos(half))) < 8);
+      for (int k = 1; k <= cavity.tabulated_multiples(); ++k) {
+        const auto turn = cavity.multiple(k);
+        worst = std::max({worst, error_in_epsilons(turn.sine, Digits50(sin(Digits50(k * half))), 1) / k,
+                          error_in_epsilons(turn.cosine, Digits50(cos(Digits50(k * half))), 1) / k});
+      }
+    }
+    const Real slope = across / up;
+    CHECK(Cavity<Real>::from_slope(slope).sin_half() == Approx(up).epsilon(1e-6));
+    CHECK(Cavity<Real>::from_slope(slope).cos_half() == Approx(across).epsilon(1e-6));
+  }
+  CAPTURE(worst);
+  CHECK(worst < 1);
+}
+
+TEMPLATE_LIST_TEST_CASE("facets at an angle of π/k bounce light at most k times", "", HardwareReals) {
+  using Real = TestType;
+  for (int k = 1; k <= 1000; ++k) {
+    const Real half = pi<Real>() / Real(2 * k);
+    CAPTURE(k);
+    CHECK(Cavity<Real>::from_normal(std::cos(half), std::sin(half)).max_bounces() == k);
+  }
+  CHECK(Cavity<Real>::from_slope(Real(0)).max_bounces() == 1);
+  CHECK(Cavity<Real>::from_slope(Real(0)).cos_half() == Real(0));
+}
+
+TEMPLATE_LIST_TEST_CASE("facets that are vertical, overhang or are no numbers are refused", "",
+                        HardwareReals) {
+  using Real = TestType;
+  const Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
+  for (const auto& [across, up] : std::initializer_list<std::pair<Real, Real>>{
+           {1, 0}, {0, 0}, {1, -1}, {1, Real(1e-10)}, {nan, 1}, {1, nan}, {infinity, 1}, {1, infinity}})
+    CHECK_THROWS_WITH(Cavity<Real>::from_normal(across, up),
+                      Catch::Matchers::ContainsSubstring("less steep than vertical"));
+  CHECK_THROWS_AS(Cavity<Real>::from_slope(infinity), std::invalid_argument);
+  CHECK_THROWS_AS(Cavity<Real>::from_slope(nan), std::invalid_argument);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <random>
+#include <utility>
 #include <vcavity/vcavity.hpp>
 #include <vector>
 
@@ -155,4 +157,23 @@ TEST_CASE("cutting at a number of bounces leaves the other lobes as they are") {
   CHECK(kept == some.size());
   CHECK(kept < all.size());
   CHECK(directional_reflectance(cavity, e, silver, 3) == Approx(expected).epsilon(1e-15));
+}
+
+TEST_CASE("light along the groove has the lobes that its rays tell of, those of light from straight above") {
+  for (const double aperture_deg : {1.0, 37.0, 60.0, 100.0}) {
+    const Cavity<double> groove(radians(aperture_deg));
+    const Vec3<double> along{1, 0, 0};
+    const auto found = lobes(groove, along, [](double) { return 1.0; });
+    std::map<std::pair<int, int>, int> rays;
+    constexpr int count = 2000;
+    for (int i = 0; i < count; ++i) {
+      const RayPath path = ray_path(groove, along, (2 * i + 1 - count) / static_cast<double>(count));
+      ++rays[{static_cast<int>(path.first_panel), path.bounces}];
+    }
+    CAPTURE(aperture_deg);
+    CHECK(found.size() == rays.size());
+    for (const auto& lobe : found)
+      CHECK(rays[{static_cast<int>(lobe.first_panel), lobe.bounces}] ==
+            Approx(count * lobe.weight).margin(1.001));
+  }
 }

@@ -89,7 +89,7 @@ TEST_CASE("any bit pattern as an aperture is refused or makes a cavity") {
       REQUIRE(is_fraction(cavity.sin_half()));
       ++made;
     } catch (const std::invalid_argument&) {
-      REQUIRE_FALSE((aperture > 0 && aperture <= flat));
+      REQUIRE_FALSE((aperture >= Cavity<Real>::smallest_aperture() && aperture <= flat));
       ++refused;
     }
   }
@@ -170,3 +170,39 @@ TEST_CASE("any bit patterns as direction and position come back with an answer")
   }
 }
 #endif
+
+TEMPLATE_TEST_CASE("the narrowest grooves and directions that are none run into no undefined behaviour", "",
+                   float, double) {
+  using T = TestType;
+  const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+  const Conductor<T> silver(T(0.1249), T(3.3391));
+  for (const T& aperture : {Cavity<T>::smallest_aperture(), T(1e-8), T(1e-6), T(1e-3), T(1)}) {
+    const Cavity<T> groove(aperture);
+    for (const T& theta : {T(0), T(0.1), T(1), T(1.57)})
+      for (const T& phi : {T(0), T(0.5), T(1.5), T(3)}) {
+        T sum(0);
+        for (const auto& lobe : lobes(groove, direction(theta, phi), silver)) {
+          sum += lobe.weight;
+          CHECK(lobe.direction.z >= -4 * std::numeric_limits<T>::epsilon());
+        }
+        CHECK(std::abs(sum - 1) <= 4 * std::numeric_limits<T>::epsilon());
+        const RayPath path = ray_path(groove, direction(theta, phi), T(0.3));
+        CHECK((path.bounces >= 1 && path.bounces <= groove.max_bounces()));
+      }
+    const GrooveBsdf bsdf(groove, silver);
+    const SpreadGrooveBsdf spread(bsdf, T(0.1));
+    for (const Vec3<T>& none : {Vec3<T>{nan, nan, nan}, Vec3<T>{T(0), nan, T(1)}, Vec3<T>{T(0), T(0), nan},
+                                Vec3<T>{nan, T(0), T(1)}, Vec3<T>{T(0), T(0), infinity},
+                                Vec3<T>{infinity, T(0), T(0)}, Vec3<T>{T(0), -infinity, T(0)}}) {
+      CHECK(bsdf.lobes(none).size() == 0);
+      CHECK(bsdf.albedo(none) == T(0));
+      CHECK_FALSE(bsdf.sample(none, T(0.5)));
+      CHECK_FALSE(spread.sample(none, T(0.5), {T(0.5), T(0.5)}));
+      CHECK(spread.evaluate(none, {T(0), T(0), T(1)}) == T(0));
+      CHECK(spread.pdf({T(0), T(0), T(1)}, none) == T(0));
+    }
+    // What is not a number has no answer, but does no harm.
+    const T reflectance = directional_reflectance(groove, Vec3<T>{nan, nan, nan}, silver);
+    CHECK((std::isnan(reflectance) || (reflectance >= T(0) && reflectance <= T(1))));
+  }
+}

@@ -122,6 +122,19 @@ template <class T>
     }
 }
 
+/// All that a renderer asks of a BSDF.
+template <class Bsdf, class T, class... Random>
+void use_bsdf(const Bsdf& bsdf, const Vec3<T>& wo, Sink<T>& sink, const Random&... random) {
+  sink(largest(unpolarized(bsdf.albedo(wo))));
+  for (const Transport transport : {Transport::radiance, Transport::importance})
+    if (const auto sample = bsdf.sample(wo, random..., transport)) {
+      sink(largest(unpolarized(sample->weight)));
+      sink(sample->probability);
+      sink(bsdf.pdf(wo, sample->direction));
+      sink(largest(unpolarized(bsdf.evaluate(wo, sample->direction))));
+    }
+}
+
 template <class T>
 [[gnu::noinline]] void use_films(const std::vector<T>& cosines, Sink<T>& sink) {
   const Traps traps;
@@ -162,6 +175,26 @@ template <class T>
     sink(ray_reflectance(cavity, e, path, facet));
     sink(ray_exit_direction(cavity, e, path));
   }
+  for (const LobeChoice choice : {LobeChoice::by_energy, LobeChoice::by_weight}) {
+    const GrooveBsdf bsdf(cavity, facet, choice);
+    use_bsdf(bsdf, e, sink, T(0.5));
+    use_bsdf(GrooveBsdf(cavity, polarized(facet), choice), e, sink, T(1));
+    for (const T& width : {VonMisesFisher<T>::smallest_width(), T(0.01), T(10)})
+      for (const T& u : {T(0), T(0.3), T(1)})
+        use_bsdf(SpreadGrooveBsdf(bsdf, width), e, sink, u, Vec2<T>(u, u));
+  }
+  RecordedDirection<T> recorded(cavity, e);
+  sink(recorded.reflectance(facet));
+  sink(unpolarized(directional_absorptance(cavity, e, polarized(facet))));
+  sink(unpolarized(directional_absorptance(cavity, e, separately_polarized(facet))));
+  const PanelFacets panels{facet, Conductor<T>(T(1.5), T(0))};
+  sink(directional_reflectance(cavity, e, panels));
+  sink(directional_absorptance(cavity, e, panels));
+  sink(paper_method::directional_reflectance(cavity, e, facet, 3));
+  sink(polarization_axis(e));
+  sink(Cavity<T>::from_normal(cavity.cos_half(), cavity.sin_half()).aperture());
+  const GrooveFrame<T> frame(e, {T(1), T(0), T(0)});
+  sink(frame.to_local(frame.to_world(e)));
   const auto mueller = directional_reflectance(cavity, e, polarized(facet));
   sink(unpolarized(mueller));
   sink(polarizance(mueller));

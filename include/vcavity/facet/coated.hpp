@@ -40,7 +40,6 @@
 #include <limits>
 #include <span>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -51,6 +50,7 @@
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/elementary.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
 
@@ -67,7 +67,7 @@ void require_range(const Value& a, const scalar_t<Value>& low, const scalar_t<Va
     if (!(x >= low && x <= high)) {
       std::ostringstream message;
       message << name << " must lie in [" << low << ", " << high << "], not be " << x;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   });
 }
@@ -325,7 +325,7 @@ class Film {
   }
 
   /// (n + ik)² − 1
-  const Complex<Value>& contrast() const { return medium_.contrast; }
+  Complex<Value> contrast() const { return medium_.contrast; }
 
   /// Whether there is anything of it, in some component.
   bool present() const { return largest(thickness_) > Real(0); }
@@ -508,8 +508,7 @@ class Coated {
       films_.push_back(film);
     } else {
       if (count_ == max_films)
-        throw std::invalid_argument("more films than there is room for, which is " +
-                                    std::to_string(max_films));
+        throw_invalid_argument("more films than there is room for, which is " + std::to_string(max_films));
       films_[count_] = film;
     }
     ++count_;

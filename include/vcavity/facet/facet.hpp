@@ -28,8 +28,8 @@
 #include <vector>
 
 #include "vcavity/facet/bounce.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -43,9 +43,20 @@ using facet_argument_t = std::conditional_t<std::invocable<const Facet&, const R
 template <class Facet, class Real>
 using value_t = std::remove_cvref_t<std::invoke_result_t<const Facet&, const facet_argument_t<Facet, Real>&>>;
 
+/// What adds up from one lobe to the next, and can be taken a number of times.
+template <class Power>
+concept FacetPower = requires(const Power& a, const scalar_t<Power>& s) {
+  Power(0);
+  { a + a } -> std::convertible_to<Power>;
+  { s* a } -> std::convertible_to<Power>;
+};
+
+// The three functions that follow return what they are given, by value: the reflectance of an expression is gone
+// at the end of a line, and a reference to it would outlive it.
+
 /// What adds up from one lobe to the next: a value itself, unless an overload for its type says otherwise.
 /// @param throughput the product of the values of a way through the groove
-template <class Value>
+template <FacetPower Value>
 Value power(const Value& throughput) {
   return throughput;
 }
@@ -56,7 +67,7 @@ using power_t = std::remove_cvref_t<decltype(power(std::declval<const value_t<Fa
 
 /// The reflectance of unpolarised light: the value itself, unless an overload for its type says otherwise.
 /// @param reflectance of a groove
-template <class Value>
+template <FacetPower Value>
 Value unpolarized(const Value& reflectance) {
   return reflectance;
 }
@@ -64,7 +75,7 @@ Value unpolarized(const Value& reflectance) {
 /// What becomes of light that travels the same way backwards: the same, unless an overload for its type says
 /// otherwise.
 /// @param reflectance of the way forwards
-template <class Value>
+template <FacetPower Value>
 Value reversed(const Value& reflectance) {
   return reflectance;
 }
@@ -80,14 +91,6 @@ concept FacetValue = requires(const Value& a) {
   Value(0);
   { a* a } -> std::convertible_to<Value>;
   { largest(a) } -> std::convertible_to<scalar_t<Value>>;
-};
-
-/// What adds up from one lobe to the next.
-template <class Power>
-concept FacetPower = requires(const Power& a, const scalar_t<Power>& s) {
-  Power(0);
-  { a + a } -> std::convertible_to<Power>;
-  { s* a } -> std::convertible_to<Power>;
 };
 
 /// A facet reflectance: callable with the cosine of the angle of incidence, in [0, 1], or with the `Bounce`.

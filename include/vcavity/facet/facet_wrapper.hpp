@@ -21,7 +21,8 @@ class FacetWrapper {
   explicit FacetWrapper(Facet facet) : facet_(std::move(facet)) {}
 
   /// The facet that this one is made of.
-  const Facet& facet() const { return facet_; }
+  const Facet& facet() const& { return facet_; }
+  Facet facet() && { return std::move(facet_); }
 
   /// That of the facet.
   auto critical_cosine() const

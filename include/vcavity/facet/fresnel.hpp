@@ -29,9 +29,9 @@
 #include <cstddef>
 
 #include "vcavity/facet/interface.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
 
@@ -97,10 +97,10 @@ class FresnelInterface {
   }
 
   /// (n + ik)² − 1
-  const Contrast& contrast() const { return contrast_; }
+  Contrast contrast() const { return contrast_; }
 
   /// Re (n + ik)²; where n is small, with digits that the contrast has lost.
-  const Value& permittivity() const { return permittivity_; }
+  Value permittivity() const { return permittivity_; }
 
  protected:
   FresnelInterface() = default;

@@ -19,12 +19,12 @@
 #include <concepts>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/facet/facet.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
 
@@ -85,7 +85,7 @@ void require_index(const Value& a, const scalar_t<Value>& low, const char* name)
     if (!(x >= low && x <= largest_index<Real>())) {
       std::ostringstream message;
       message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   });
 }

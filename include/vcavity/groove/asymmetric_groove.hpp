@@ -28,14 +28,14 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/lit_opening.hpp"
 #include "vcavity/groove/ray.hpp"
 #include "vcavity/groove/unfolding.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -70,16 +70,16 @@ class AsymmetricGroove {
       std::ostringstream message;
       message << "the slopes of a groove must be positive and together below π radians, not " << one
               << " and " << two;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
     return {pi<Real>() - one - two, (one - two) / Real(2)};
   }
 
   /// The angle α between the panels.
-  const Real& aperture() const { return bisected_.aperture(); }
+  Real aperture() const { return bisected_.aperture(); }
 
   /// The angle τ of the bisector from z towards +y.
-  const Real& tilt() const { return tilt_; }
+  Real tilt() const { return tilt_; }
 
   /// The angle of a panel to the mean plane.
   Real slope(Panel panel) const {
@@ -91,7 +91,7 @@ class AsymmetricGroove {
   const Real& length(Panel panel) const { return lengths_[panel == Panel::one ? 0 : 1]; }
 
   /// Width of the opening over the depth of the groove.
-  const Real& opening() const { return opening_; }
+  Real opening() const { return opening_; }
 
   /// The area of the panels per area of the opening; under diffuse light the mean number of bounces.
   Real developed_area() const { return (lengths_[0] + lengths_[1]) / opening_; }
@@ -120,14 +120,14 @@ class AsymmetricGroove {
     std::ostringstream message;
     if (!(aperture > Real(0) && aperture < pi<Real>())) {
       message << "the aperture of an asymmetric groove must lie in (0, π) radians, not " << aperture;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
     const Real most = (pi<Real>() - aperture) / Real(2);
     const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
     if (!(magnitude(tilt) < most - rounding)) {
       message << "the tilt of a groove of aperture " << aperture << " must be less than " << most
               << " radians either way, not " << tilt;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
     return aperture;
   }
@@ -180,7 +180,7 @@ class AsymmetricOpening {
   class ReachedFractions {
    public:
     /// f_1: the fraction of the opening whose rays meet this panel first.
-    const Real& first() const { return first_; }
+    Real first() const { return first_; }
 
     /// f_j, where j is the bounce at which the ray is, at least 2.
     /// @param before f_{j−1}, which f_j never exceeds
@@ -210,7 +210,7 @@ class AsymmetricOpening {
       const Real least_angle = std::asin(least_sine);
       if (first_angle + opening_.groove_.aperture() < least_angle) return 0;
       const Real bounces = (pi<Real>() - least_angle - first_angle) / opening_.groove_.aperture() - Real(1);
-      return static_cast<int>(std::min(bounces, Real(most)));
+      return whole_at_most(bounces, most);
     }
 
    private:

@@ -16,14 +16,13 @@
 ///
 /// a product that keeps its digits as e_z → 0.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/unfolding.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -42,11 +41,10 @@ class LitOpening {
   using Scalar = scalar_t<Real>;
 
   /// @param cavity must outlive the opening
-  /// @param towards_light direction towards the light; raised to where inverses of e.z are finite, so little
-  /// that light travels along the groove as before
+  /// @param towards_light direction towards the light; raised to `least_up`
   VCAVITY_INLINE LitOpening(const Cavity<Scalar>& cavity, const Vec3<Real>& towards_light)
       : cavity_(cavity),
-        e_{towards_light.x, towards_light.y, at_least(towards_light.z, least_up(cavity))},
+        e_{towards_light.x, towards_light.y, at_least(towards_light.z, cavity.least_up())},
         inverse_e_z_(Real(1) / e_.z),
         inverse_width_((Scalar(0.5) * cavity.inverse_sin_half()) * inverse_e_z_) {
     const Real other_normal = cavity.sin_half() * e_.z - cavity.cos_half() * magnitude(e_.y);
@@ -74,7 +72,7 @@ class LitOpening {
   class ReachedFractions {
    public:
     /// f_1: the fraction of the opening whose rays meet this panel first.
-    const Real& first() const { return first_; }
+    Real first() const { return first_; }
 
     /// f_j, where j is the bounce at which the ray is, at least 2.
     /// @param before f_{j−1}, which f_j never exceeds
@@ -105,7 +103,7 @@ class LitOpening {
     int bounces_of_all(const UnfoldedRay<Real>& first, int most) const {
       const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
       const Real bounces = (pi<Real>() - Real(2) * first_angle) / opening_.cavity_.aperture() - Real(1);
-      return static_cast<int>(std::min(bounces, Real(most)));
+      return whole_at_most(bounces, most);
     }
 
    private:
@@ -128,11 +126,6 @@ class LitOpening {
   ReachedFractions reached(const UnfoldedRay<Real>& first) const { return {*this, first}; }
 
  private:
-  /// The least e.z: smaller ones count as this one.
-  static Scalar least_up(const Cavity<Scalar>& cavity) {
-    return smallest_divisor<Scalar>() * cavity.inverse_sin_half();
-  }
-
   const Cavity<Scalar>& cavity_;
   Vec3<Real> e_;
   Real inverse_e_z_;

@@ -17,15 +17,14 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/lit_opening.hpp"
 #include "vcavity/groove/narrow_groove.hpp"
 #include "vcavity/groove/unfolding.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -54,7 +53,8 @@ class Lobes {
     lobes_[size_++] = lobe;
   }
   std::size_t size() const { return size_; }
-  const Lobe<Real, Value>& operator[](std::size_t i) const { return lobes_[i]; }
+  const Lobe<Real, Value>& operator[](std::size_t i) const& { return lobes_[i]; }
+  Lobe<Real, Value> operator[](std::size_t i) && { return lobes_[i]; }
   const Lobe<Real, Value>* begin() const { return lobes_.data(); }
   const Lobe<Real, Value>* end() const { return lobes_.data() + size_; }
 
@@ -94,11 +94,29 @@ enum class DarkLight {
   merged     ///< into one lobe that ends where the light does
 };
 
+/// The panels that light may meet first.
+class FirstPanel {
+ public:
+  /// Either of them.
+  constexpr FirstPanel() = default;
+
+  /// Only one of them.
+  /// @param only this one
+  constexpr FirstPanel(Panel only) : one_(only == Panel::one), two_(only == Panel::two) {}
+
+  /// Whether a panel is one of them.
+  constexpr bool includes(Panel panel) const { return panel == Panel::one ? one_ : two_; }
+
+ private:
+  bool one_ = true;
+  bool two_ = true;
+};
+
 /// Which light is followed.
 struct Follow {
   int max_bounces = all_bounces;               ///< lobes of more bounces are left out
   DarkLight dark_light = DarkLight::followed;  ///< see there
-  std::optional<Panel> only = std::nullopt;  ///< if given, light that meets the other panel first is left out
+  FirstPanel first_panel = {};                 ///< other light is left out
 };
 
 /// Calls `visit` with every bounce after which light of a direction may leave, and the weight and throughput
@@ -126,7 +144,7 @@ VCAVITY_INLINE void for_each_lobe(const Groove& groove, const Vec3<Real>& toward
   const auto opening = lit_opening(groove, towards_light);
   for (int which = 0; which < opening.first_panels(); ++which) {
     const Panel first = opening.first_panel(which);
-    if (follow.only && *follow.only != first) continue;
+    if (!follow.first_panel.includes(first)) continue;
     UnfoldedRay<Real> ray = unfold(groove, opening.direction(), first);
     const auto fractions = opening.reached(ray);
     Real reached = fractions.first();

@@ -19,6 +19,7 @@
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/unfolding.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
@@ -48,9 +49,9 @@ struct Continuation {
 /// @param aperture of the groove
 /// @param max_bounces none beyond these is done
 template <class Value, class Real, class Facet, class Fractions>
-[[gnu::noinline]] Continuation<Real, Value> reflect_many(const Facet& facet, UnfoldedRay<Real> ray,
-                                                         const Fractions& fractions,
-                                                         const scalar_t<Real>& aperture, int max_bounces) {
+VCAVITY_NOINLINE Continuation<Real, Value> reflect_many(const Facet& facet, UnfoldedRay<Real> ray,
+                                                        const Fractions& fractions,
+                                                        const scalar_t<Real>& aperture, int max_bounces) {
   Value throughput(1);
   if constexpr (std::is_floating_point_v<Real> && std::is_floating_point_v<Value> &&
                 std::invocable<const Facet&, const Real&>) {

@@ -30,6 +30,8 @@ struct RayPath {
 /// γ = π + s θ' − arcsin|δ| merges the paper's Eqs. 11 and 12. Here γ = (π/2 + s θ') + arccos|δ|, two angles
 /// that are small together in a narrow groove under grazing light, and keep their digits.
 ///
+/// Light along the groove counts as light from straight above, see `Cavity::least_up`.
+///
 /// A ray through the apex counts as meeting panel two first, one through the edge of a panel's image as
 /// meeting that image. The answer is at least 1 and at most `max_bounces`, whatever the rounding.
 ///
@@ -42,12 +44,12 @@ RayPath ray_path(const Cavity<Real>& cavity, const Vec3<Real>& e, const Real& po
   using std::sqrt;
   assert(e.z >= Real(0) && position >= Real(-1) && position <= Real(1));
 
-  const Real size = at_least(largest(e.y), e.z);
-  if (!(size > Real(0)))
-    return {position < Real(0) ? Panel::one : Panel::two, 1};  // grazing along the groove
+  // Light along the groove has an answer too, the same as for `lobes`.
+  const Real up = at_least(e.z, cavity.least_up());
+  const Real size = at_least(largest(e.y), up);
   // Only the ratio of y and z counts. Almost along the groove their squares would vanish.
   const Real y = e.y / size;
-  const Real z = e.z / size;
+  const Real z = up / size;
   const Real across = sqrt(y * y + z * z);
 
   const Real aside = position * cavity.sin_half() * z;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "vcavity/groove/lobes.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 
 namespace vcavity {
 

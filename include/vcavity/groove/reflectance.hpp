@@ -7,11 +7,9 @@
 /// reciprocity, also the hemispherical-directional reflectance seen from that direction under diffuse light;
 /// one function serves both.
 
-#include <optional>
-
 #include "vcavity/facet/energy_balance.hpp"
 #include "vcavity/groove/lobes.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 
 namespace vcavity {
 
@@ -28,7 +26,7 @@ VCAVITY_INLINE Sum sum_over_lobes(const Groove& groove, const Vec3<Real>& e, con
                   if (cheaper_than_branch<Value> || any_positive(weight))
                     sum = sum + scaled(weight, measure(throughput));
                 },
-                {follow.max_bounces, DarkLight::merged, follow.only});
+                {follow.max_bounces, DarkLight::merged, follow.first_panel});
   return sum;
 }
 
@@ -62,16 +60,16 @@ auto directional_reflectance(const Groove& groove, const Direction& e, const Fac
 ///          `directional_reflectance`
 /// @param facet facet reflectance
 /// @param max_bounces light that needs more bounces is left out
-/// @param only if given, light that meets the other panel first is left out
+/// @param first_panel light that meets another panel first is left out
 template <class Groove, class Facet, class Direction = Vec3<scalar_t<Groove>>>
   requires UnfoldableGroove<Groove, typename Direction::value_type> &&
            FacetReflectance<Facet, typename Direction::value_type>
 auto unpolarized_reflectance(const Groove& groove, const Direction& e, const Facet& facet,
-                             int max_bounces = all_bounces, std::optional<Panel> only = std::nullopt) {
+                             int max_bounces = all_bounces, FirstPanel first_panel = {}) {
   using Real = typename Direction::value_type;
   return detail::sum_over_lobes<unpolarized_t<Facet, Real>>(
       groove, e, facet, [](const value_t<Facet, Real>& throughput) { return unpolarized(power(throughput)); },
-      {.max_bounces = max_bounces, .only = only});
+      {.max_bounces = max_bounces, .first_panel = first_panel});
 }
 
 /// Directional absorptance 1 − R(θ, φ), and by Kirchhoff's law the directional emissivity; a sum of positive

@@ -16,8 +16,8 @@
 #include "vcavity/facet/bounce.hpp"
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -70,7 +70,7 @@ class UnfoldedRay {
   Panel first_panel() const { return number_ % 2 == 1 ? panel_ : opposite(panel_); }
 
   /// e · N^(j), before any clamping of its rounding error.
-  const Real& normal_component() const { return normal_; }
+  Real normal_component() const { return normal_; }
 
   /// The component of e in the image, across the groove and away from the apex.
   Real tangent_component() const {
@@ -112,13 +112,13 @@ class UnfoldedRay {
   /// Turns the direction by a multiple of α/2, from the tangent towards the normal.
   VCAVITY_INLINE void turn(std::int64_t multiple) {
     in_table_ += multiple;
-    if (in_table_ > Groove::tabulated_multiples) start_table_again();
+    if (in_table_ > groove_->tabulated_multiples()) start_table_again();
     const auto& turn = groove_->tabulated(in_table_);
     normal_ = turn.sine * table_up_ + turn.cosine * table_across_;
   }
 
   void start_table_again() {
-    constexpr std::int64_t length = Groove::tabulated_multiples + 1;
+    const std::int64_t length = groove_->tabulated_multiples() + 1;
     before_table_ += in_table_ / length * length;
     in_table_ %= length;
     const auto turn = groove_->multiple(before_table_);

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <concepts>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "vcavity/facet/panel_facets.hpp"
@@ -22,6 +21,7 @@
 #include "vcavity/hemisphere/adaptive_hemisphere.hpp"
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/hemisphere/kinks.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 
 namespace vcavity {
 
@@ -98,7 +98,7 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
     message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   long long evaluations = 0;
   const detail::CountingFacet<Facet> counted(facet, evaluations);

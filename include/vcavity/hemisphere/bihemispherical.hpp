@@ -21,9 +21,9 @@
 /// critical one that the quadrature can miss it: the error estimate may then be too small.
 
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/hemisphere/hemisphere_quadrature.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 
 namespace vcavity {
 
@@ -44,7 +44,7 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
     message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   const Scalar norm = Scalar(4) / pi<Scalar>();
   detail::HemisphereQuadrature<Real, Facet> quadrature(cavity, facet, max_bounces);

@@ -116,7 +116,7 @@ class InterreflectionKernel {
   const std::vector<Node>& nodes() const { return nodes_; }
 
   /// The weight of all further nodes together.
-  const Real& tail_weight() const { return tail_weight_; }
+  Real tail_weight() const { return tail_weight_; }
 
   /// H and what follows from it, at the price of some 25 logarithms.
   /// @param albedo ρ in [−1, 1]

@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -32,6 +31,7 @@
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/matte/interreflection_kernel.hpp"
 #include "vcavity/matte/panel_exchange.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity {
@@ -46,7 +46,7 @@ void check_albedo(const Value& albedo) {
     if (rho >= scalar_t<Value>(0) && rho <= scalar_t<Value>(1)) continue;
     std::ostringstream message;
     message << "the albedo of a matte panel must lie in [0, 1], not " << rho;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
 }
 
@@ -415,7 +415,7 @@ class LambertianCavity {
   const Value& albedo(Panel panel) const { return panel == Panel::one ? albedo_one_ : albedo_two_; }
 
   /// Diffuse light in, all reflected light out.
-  const Value& bihemispherical_reflectance() const { return bihemispherical_; }
+  Value bihemispherical_reflectance() const { return bihemispherical_; }
 
   /// Directional-hemispherical reflectance for light from `e`; by Helmholtz reciprocity also the
   /// hemispherical-directional one, seen from there in diffuse light.

@@ -52,7 +52,7 @@ class PanelExchange {
   const std::vector<Real>& weights() const { return weights_; }
 
   /// ε: nearer to the apex radiosity counts as constant.
-  const Real& apex_width() const { return apex_width_; }
+  Real apex_width() const { return apex_width_; }
 
   /// What the apex region of the other panel, at radiosity 1, sends to the nodes.
   const std::vector<Real>& from_apex() const { return from_apex_; }

@@ -4,7 +4,7 @@
 /// Complex numbers over any value type: `std::complex` is defined for float, double and long double only,
 /// while field amplitudes are also needed for packs, colours and 50-digit numbers.
 
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 
 namespace vcavity {
 

@@ -30,6 +30,15 @@ struct Scalar<Value> {
 template <class Value>
 using scalar_t = typename detail::Scalar<Value>::type;
 
+/// A number without its fraction, as an int; 0 for negative numbers and for what is no number.
+/// @param most the largest result, ≥ 0; no larger number is ever converted
+template <Number Real>
+int whole_at_most(const Real& x, int most) {
+  if (!(x > Real(0))) return 0;
+  // Rounded to `Real`, `most` may be one more than the largest int.
+  return x < Real(most) ? static_cast<int>(x) : most;
+}
+
 /// π to the precision of `Real`, which may be any number type with an `acos` found by argument-dependent
 /// look-up.
 template <class Real>

@@ -18,8 +18,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -52,7 +52,7 @@ struct Register<Real, size, most_bytes> {
     while (result < size * sizeof(Real) && result < most_bytes) result *= 2;
     return result;
   }
-  typedef Real type __attribute__((vector_size(bytes()), may_alias));
+  typedef Real type VCAVITY_VECTOR(bytes());
   static constexpr std::size_t width = bytes() / sizeof(Real);
 };
 #endif
@@ -232,7 +232,7 @@ class Pack {
       std::memcpy(&word, &bits, sizeof bits);
       return word != 0;
     } else {
-      typedef std::uint64_t Half __attribute__((vector_size(sizeof bits / 2)));
+      typedef std::uint64_t Half VCAVITY_VECTOR(sizeof bits / 2);
       Half halves[2];
       std::memcpy(halves, &bits, sizeof bits);
       return any_bit(halves[0] | halves[1]);

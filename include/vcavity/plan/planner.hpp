@@ -22,10 +22,10 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "vcavity/hemisphere/bihemispherical.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/pack.hpp"
 #include "vcavity/polarization/polarization.hpp"
 
@@ -245,7 +245,7 @@ EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, doubl
   if (!(tolerance > 0)) {
     std::ostringstream message;
     message << "the tolerance of a plan must be positive, not " << tolerance;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   const bool diffuse = illumination == Illumination::diffuse;
   const double share = tolerance / (diffuse ? 4 : 3);

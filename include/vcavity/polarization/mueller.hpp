@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/polarization/jones.hpp"
 
 namespace vcavity {
@@ -48,8 +48,9 @@ class Mueller {
          {from_a.im + from_b.im, from_a.im - from_b.im, straight.im + crossed.im, straight.re - crossed.re}}};
   }
 
-  /// An element; 0, 1, 2, 3 stand for I, Q, U, V.
-  const Value& operator()(std::size_t row, std::size_t column) const { return rows_[row][column]; }
+  /// An element, by value: the matrix is often that of an expression, and gone at its end.
+  /// @param row, column 0, 1, 2, 3 stand for I, Q, U, V
+  Value operator()(std::size_t row, std::size_t column) const { return rows_[row][column]; }
 
   friend Mueller operator+(const Mueller& a, const Mueller& b) {
     return map([](const Value& x, const Value& y) { return x + y; }, a, b);

@@ -29,7 +29,7 @@
 #include "vcavity/facet/facet_wrapper.hpp"
 #include "vcavity/facet/fresnel.hpp"
 #include "vcavity/facet/panel_facets.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/polarization/mueller.hpp"
 
 namespace vcavity {

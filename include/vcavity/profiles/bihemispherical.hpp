@@ -8,7 +8,6 @@
 /// the facet for 1e-9.
 
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "vcavity/groove/cavity.hpp"
@@ -16,6 +15,7 @@
 #include "vcavity/hemisphere/asymmetric_bihemispherical.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
 #include "vcavity/hemisphere/integral.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/land.hpp"
 #include "vcavity/profiles/profile.hpp"
 #include "vcavity/profiles/smooth_ranges.hpp"
@@ -55,7 +55,7 @@ auto bihemispherical_reflectance(
   if (!(tolerance > Scalar(0))) {
     std::ostringstream message;
     message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   long long evaluations = 0;
   const auto counted = detail::each_facet(

@@ -11,7 +11,7 @@
 
 #include "vcavity/facet/energy_balance.hpp"
 #include "vcavity/facet/facet.hpp"
-#include "vcavity/numbers/inline.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/polarization/absorbed_fields.hpp"
 #include "vcavity/polarization/polarization.hpp"
 #include "vcavity/profiles/face_path.hpp"

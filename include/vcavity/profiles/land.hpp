@@ -9,11 +9,11 @@
 #include <cassert>
 #include <concepts>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "vcavity/facet/bounce.hpp"
 #include "vcavity/groove/lobes.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/profile.hpp"
 
 namespace vcavity {
@@ -33,7 +33,7 @@ class Land {
     if (!(fraction >= value_type(0) && fraction < value_type(1))) {
       std::ostringstream message;
       message << "the land must take a fraction of the period in [0, 1), not " << fraction;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   }
 

@@ -19,13 +19,13 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/unfolding.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/truncated_groove.hpp"
 
 namespace vcavity {
@@ -50,7 +50,7 @@ Real replaced_part(const Cavity<Real>& cavity, const Real& radius) {
     std::ostringstream message;
     message << "the radius of a fillet must lie in [0, tan(α/2)] panel widths, here "
             << cavity.sin_half() / cavity.cos_half() << ", not " << radius;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   return part;
 }

@@ -17,11 +17,11 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/facet/bounce.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/profile.hpp"
 
 namespace vcavity {
@@ -39,12 +39,12 @@ class Trench {
     if (!(floor > Real(0) && floor <= std::numeric_limits<Real>::max())) {
       std::ostringstream message;
       message << "the floor of a trench must be more than 0 depths wide, not " << floor;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   }
 
   /// Width of the floor over the depth.
-  const Real& floor_over_depth() const { return floor_over_depth_; }
+  Real floor_over_depth() const { return floor_over_depth_; }
 
   /// The area of all faces per area of the opening, under diffuse light the mean number of bounces.
   Real developed_area() const { return Real(1) + Real(2) / floor_over_depth_; }

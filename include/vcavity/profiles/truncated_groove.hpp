@@ -23,11 +23,11 @@
 #include <cassert>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/facet/bounce.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/profile.hpp"
 
 namespace vcavity {
@@ -66,10 +66,10 @@ class TruncatedGroove {
   const Real& slope(Panel panel) const { return slopes_[index(panel)]; }
 
   /// Width of the floor over the depth of the groove.
-  const Real& floor_over_depth() const { return floor_over_depth_; }
+  Real floor_over_depth() const { return floor_over_depth_; }
 
   /// Width of the floor over that of the opening.
-  const Real& floor_over_opening() const { return floor_over_opening_; }
+  Real floor_over_opening() const { return floor_over_opening_; }
 
   /// The area of all faces per area of the opening, under diffuse light the mean number of bounces.
   Real developed_area() const {
@@ -95,7 +95,7 @@ class TruncatedGroove {
   static void refuse(const char* message, const Real& value) {
     std::ostringstream text;
     text << message << value;
-    throw std::invalid_argument(text.str());
+    throw_invalid_argument(text.str());
   }
 
   /// A range of distances from O.

@@ -51,10 +51,11 @@ struct BsdfSample {
 
 namespace detail {
 
-/// Whether a direction can see the grooves; false if any component is not a number.
+/// Whether a direction can see the grooves; false if any component is not a number or infinite.
 template <class Real>
 bool is_above_horizon(const Vec3<Real>& direction) {
-  return direction.z >= Real(0) && direction.x * direction.x + direction.y * direction.y <= Real(2);
+  return direction.z >= Real(0) && direction.z <= Real(2) &&
+         direction.x * direction.x + direction.y * direction.y <= Real(2);
 }
 
 /// Moves directions that rounding has put below the horizon back onto it.

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "vcavity/conventions.hpp"
+#include "vcavity/numbers/components.hpp"
 
 namespace vcavity {
 
@@ -20,12 +21,18 @@ class GrooveFrame {
   /// @param along_groove direction of the groove, of any length; only its part in the tangent plane counts.
   ///        If there is none (zero, or along the normal), any tangent serves.
   GrooveFrame(const Vec3<Real>& normal, const Vec3<Real>& along_groove) : z_(normal) {
-    const Vec3<Real> tangent = along_groove - dot(along_groove, normal) * normal;
+    // Squares of very long and very short vectors would overflow or vanish.
+    const Real size =
+        at_least(at_least(largest(along_groove.x), largest(along_groove.y)), largest(along_groove.z));
+    const Vec3<Real> along = size > std::numeric_limits<Real>::min() ? along_groove / size : normal;
+    const Vec3<Real> tangent = in_tangent_plane(along);
     const Real length2 = dot(tangent, tangent);
     // What rounding leaves of a direction along the normal is not a tangent.
     const Real rounding = Real(8) * std::numeric_limits<Real>::epsilon();
-    const bool usable = length2 > rounding * rounding * dot(along_groove, along_groove);
-    x_ = normalized(usable ? tangent : any_tangent(normal));
+    const bool usable = length2 > rounding * rounding * dot(along, along);
+    // Of a direction close to the normal most cancels, and what is left is a tangent only roughly; not any more
+    // the second time.
+    x_ = normalized(in_tangent_plane(normalized(usable ? tangent : any_tangent(normal))));
     y_ = cross(z_, x_);
   }
 
@@ -40,6 +47,8 @@ class GrooveFrame {
   static Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  /// A vector without its part along the normal.
+  Vec3<Real> in_tangent_plane(const Vec3<Real>& v) const { return v - dot(v, z_) * z_; }
   static Vec3<Real> normalized(const Vec3<Real>& v) {
     using std::sqrt;
     return v / Real(sqrt(dot(v, v)));

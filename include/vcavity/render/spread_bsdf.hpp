@@ -24,7 +24,7 @@ class SpreadGrooveBsdf {
   using Throughput = value_t<Facet, Real>;
 
   /// @param grooves the BSDF of infinitely narrow lobes
-  /// @param width of each lobe, in radians, in (0, 10]; see `VonMisesFisher`
+  /// @param width of each lobe, in radians; for its range see `VonMisesFisher`
   /// @throws std::invalid_argument when the width is out of range
   SpreadGrooveBsdf(const GrooveBsdf<Real, Facet, Groove>& grooves, const Real& width)
       : grooves_(grooves), spread_(width) {}

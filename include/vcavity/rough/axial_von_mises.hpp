@@ -16,10 +16,10 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -36,7 +36,7 @@ class AxialVonMises {
     if (!(concentration >= Real(0) && concentration <= Real(1e6))) {
       std::ostringstream message;
       message << "the concentration of the grooves must lie in [0, 1e6], not be " << concentration;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
     const auto nodes = gauss_legendre<Real>(rule_size);
     for (std::size_t i = 0; i < rule_size; ++i) rule_[i] = nodes[i];
@@ -51,7 +51,7 @@ class AxialVonMises {
   }
 
   /// κ
-  const Real& concentration() const { return concentration_; }
+  Real concentration() const { return concentration_; }
 
   /// The density per radian divided by that of κ = 0, 1/π.
   /// @param sine2 the square of the sine of the angle from the mean, in [0, 1]

@@ -56,7 +56,7 @@ class BrushedSlopes {
   const Slopes& slopes() const { return slopes_; }
 
   /// The concentration κ of the azimuths.
-  const Real& concentration() const { return azimuths_.concentration(); }
+  Real concentration() const { return azimuths_.concentration(); }
 
  private:
   Slopes slopes_;

@@ -33,8 +33,8 @@
 #include <type_traits>
 
 #include "vcavity/conventions.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
-#include "vcavity/numbers/inline.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -157,7 +157,7 @@ class ConnectingGrooves {
     }
 
     /// Ways of fewer bounces than this exist.
-    const Real& most_bounces() const { return most_bounces_; }
+    Real most_bounces() const { return most_bounces_; }
 
     bool reaches(int bounces) const { return Real(bounces) < most_bounces_; }
 

@@ -17,9 +17,9 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
 
@@ -34,7 +34,7 @@ void require_roughness(const Real& roughness) {
     std::ostringstream message;
     message << "a roughness must lie in [" << smallest_roughness << ", " << largest_roughness << "], not be "
             << roughness;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
 }
 
@@ -53,10 +53,10 @@ class EllipticSlopes {
   using value_type = Real;
 
   /// The roughness along x, that is, of the slopes ∂z/∂x.
-  const Real& roughness_x() const { return roughness_x_; }
+  Real roughness_x() const { return roughness_x_; }
 
   /// The roughness along y.
-  const Real& roughness_y() const { return roughness_y_; }
+  Real roughness_y() const { return roughness_y_; }
 
  protected:
   EllipticSlopes(const Real& roughness_x, const Real& roughness_y)
@@ -69,7 +69,7 @@ class EllipticSlopes {
   }
 
   /// D(z) = 1/(π a_x a_y)
-  const Real& peak() const { return peak_; }
+  Real peak() const { return peak_; }
 
   /// q cos²θ_m
   Real stretched(const Vec3<Real>& m) const { return m.x * m.x * inverse_x2_ + m.y * m.y * inverse_y2_; }

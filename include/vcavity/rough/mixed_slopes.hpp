@@ -4,10 +4,10 @@
 /// Two distributions of grooves on one surface, side by side: a polish with a few deep scratches, say.
 
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
 
 namespace vcavity {
@@ -26,7 +26,7 @@ class MixedSlopes {
     if (!(share >= Real(0) && share <= Real(1))) {
       std::ostringstream message;
       message << "the share of a distribution in a mixture must lie in [0, 1], not be " << share;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   }
 
@@ -50,7 +50,7 @@ class MixedSlopes {
   const Second& second() const { return second_; }
 
   /// The share of the mean area that has grooves of the first one.
-  const Real& share() const { return share_; }
+  Real share() const { return share_; }
 
  private:
   First first_;

@@ -21,11 +21,11 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/reflectance.hpp"
 #include "vcavity/hemisphere/integral.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/rough/adaptive_gauss.hpp"
 #include "vcavity/rough/mixed_slopes.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
@@ -129,7 +129,7 @@ void require_tolerance(const Scalar& tolerance, const char* integral) {
   if (tolerance > Scalar(0)) return;
   std::ostringstream message;
   message << "the tolerance of the " << integral << " must be positive, not " << tolerance;
-  throw std::invalid_argument(message.str());
+  throw_invalid_argument(message.str());
 }
 
 /// The apertures at which the reflectance of a groove has a kink, in ascending order; those of more than 16 bounces are

@@ -28,10 +28,10 @@
 #include <limits>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "vcavity/groove/lobes.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/render/bsdf.hpp"
 #include "vcavity/rough/connecting_grooves.hpp"
 #include "vcavity/rough/drawn_ray.hpp"
@@ -81,7 +81,7 @@ class RoughGrooveBsdf {
       std::ostringstream message;
       message << "the bounce limit of a rough surface must lie in [1, " << most_bounces << "], not be "
               << max_bounces;
-      throw std::invalid_argument(message.str());
+      throw_invalid_argument(message.str());
     }
   }
 

@@ -15,11 +15,11 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
 
 namespace vcavity {
@@ -104,7 +104,7 @@ class TabulatedSlopes {
   [[noreturn]] static void refuse(const char* what, const Real& value, const char* expected) {
     std::ostringstream message;
     message << "the " << what << " of a table of slopes must be " << expected << ", not " << value;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
 
   std::vector<TabulatedSlope<Real>> rows_;
