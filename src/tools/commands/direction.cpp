@@ -8,8 +8,10 @@
 #include <vcavity/groove/lobes.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/direction_plot.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/surface_options.hpp"
+#include "tools/images/atomic_file.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/report.hpp"
 #include "tools/support/text_table.hpp"
@@ -28,6 +30,7 @@ struct DirectionOptions {
   std::vector<double> toward_deg;  // θ and φ, or empty
   Polarization polarization = Polarization::none;
   Format format = Format::md;
+  std::string plot;  // empty: none
 };
 
 /// A direction on the hemisphere, at θ = 90° exactly on the horizon: cos(π/2) is not 0 in floating point.
@@ -247,11 +250,29 @@ void add_rows(Report& report, const Result& result, bool leading) {
   if (result.lobes.empty() && !result.ray && result.by_bounces.empty() && leading) new_row();
 }
 
+/// Draws the way of the light of one direction.
+void plot_direction(const Result& result, const std::vector<Material>& materials, AtomicFile& file) {
+  const std::string title = grooves_in_words(result.at.surface) + ", light from theta " +
+                            exact(result.theta_deg) + "°, phi " + exact(result.phi_deg) + "°";
+  std::string footnote = in_words(result) + ", wavelength " + exact(result.at.wavelength_nm) +
+                         " nm; directional " +
+                         listed(totals(result), [](double x) { return with_digits(x, 6); }) + ". ";
+  for (const Material& material : materials) footnote += in_one_line(material) + "; ";
+  write_direction_plot(file, {result.at.surface, direction_at(result.theta_deg, result.phi_deg), result.lobes,
+                              title, footnote + software() + ", " + command_line()});
+}
+
 void run_direction(const DirectionOptions& options) {
+  std::optional<AtomicFile> picture;
+  if (!options.plot.empty()) picture.emplace(options.plot);
   const std::vector<Result> results = results_of(options);
+  if (picture && results.size() > 1)
+    throw UsageError("--plot: shows one direction on one surface, expected no list or range");
   std::vector<Material> materials;
   for (const Result& result : results)
     for (const Material& material : materials_of(result.at.surface)) materials.push_back(material);
+
+  if (picture) plot_direction(results.front(), materials, *picture);
 
   Report report;
   report.rows_name.clear();
@@ -273,6 +294,7 @@ void run_direction(const DirectionOptions& options) {
   }
   for (const Result& result : results) add_rows(report, result, results.size() > 1);
   std::cout << report.in(options.format);
+  if (picture) picture->commit();
 }
 
 }  // namespace
@@ -296,6 +318,10 @@ void add_direction_command(CLI::App& program) {
       ->type_name("Y[,Y...]");
   add_direction(*command, "--toward", options->toward_deg,
                 "also the BRDF towards a viewer in this direction, where the surface has one");
+  add_picture(*command, "--plot", options->plot,
+              "also draw the cross-section to scale with the way of the light, bounces numbered, and the "
+              "lobes with their "
+              "weights");
   add_polarization(*command, options->polarization);
   add_format(*command, options->format);
   command->callback([options] { run_direction(*options); });

@@ -40,8 +40,14 @@ std::vector<FilmLayer> films_of(const std::string& words) {
 }
 
 void check(const SurfaceOptions& options) {
-  if (options.materials.empty()) throw UsageError("--material is required");
-  if (options.apertures_deg.empty()) throw UsageError("--aperture is required");
+  if (options.materials.empty() && options.profiles.panels.empty())
+    throw UsageError("--material is required");
+  if (!options.materials.empty() && !options.profiles.panels.empty())
+    throw UsageError("--panels: stands in place of --material, expected one of them");
+  if (options.apertures_deg.empty() && options.profiles.slopes_deg.empty())
+    throw UsageError("--aperture is required");
+  if (!options.apertures_deg.empty() && !options.profiles.slopes_deg.empty())
+    throw UsageError("--slopes: stand in place of --aperture, expected one of them");
 }
 
 }  // namespace
@@ -49,6 +55,7 @@ void check(const SurfaceOptions& options) {
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
   add_materials(command, options.materials);
   add_apertures(command, options.apertures_deg);
+  add_profile_options(command, options.profiles);
   command
       .add_option(
           "--film", options.films,
@@ -62,8 +69,14 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
   check(options);
   std::vector<SurfaceDescription> surfaces;
   for (const std::string& name : options.materials) surfaces.push_back({load_material(name), 180});
+  for (const std::string& words : options.profiles.panels) {
+    const auto [one, two] = panel_materials(words);
+    surfaces.push_back({one, 180});
+    surfaces.back().profile.panel_two = two;
+  }
   vary(surfaces, options.apertures_deg,
        [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
+  surfaces = with_profiles(surfaces, options.profiles);
   for (const std::string& film : options.films)
     vary(surfaces, films_of(film),
          [](SurfaceDescription& surface, const FilmLayer& layer) { surface.films.push_back(layer); });
@@ -73,7 +86,8 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
 std::vector<SurfaceAtWavelength> surfaces_at(const SurfaceOptions& options,
                                              const std::vector<double>& wavelengths_nm) {
   const std::vector<SurfaceDescription> surfaces = surfaces_of(options);
-  const std::size_t shapes = surfaces.size() / std::max<std::size_t>(1, options.materials.size());
+  const std::size_t materials = options.materials.size() + options.profiles.panels.size();
+  const std::size_t shapes = surfaces.size() / std::max<std::size_t>(1, materials);
   std::vector<SurfaceAtWavelength> result;
   for (auto first = surfaces.begin(); first != surfaces.end(); first += static_cast<std::ptrdiff_t>(shapes))
     for (const double wavelength_nm : wavelengths_nm)

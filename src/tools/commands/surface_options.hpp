@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/commands/profile_options.hpp"
 #include "tools/surfaces/surface_description.hpp"
 
 namespace vcavity::tools {
@@ -17,6 +18,7 @@ struct SurfaceOptions {
   std::vector<std::string> materials;
   std::vector<double> apertures_deg;
   std::vector<std::string> films;  ///< M:NM each, the top one first
+  ProfileOptions profiles;
 };
 
 /// Adds --material, --aperture and all others of `SurfaceOptions`.

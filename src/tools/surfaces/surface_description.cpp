@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/surfaces/surface_description.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tools/support/text_table.hpp"
 #include "tools/surfaces/groove_surface.hpp"
+#include "tools/surfaces/profile_surface.hpp"
 
 namespace vcavity::tools {
 
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
-  nlohmann::ordered_json fields{{"material", surface.material.name()},
-                                {"aperture_deg", surface.aperture_deg}};
+  nlohmann::ordered_json fields{{"material", material_of(surface)}, {"aperture_deg", surface.aperture_deg}};
+  fields.update(fields_of(surface.profile));
   for (const FilmLayer& film : surface.films)
     fields["films"].push_back({{"material", film.material.name()}, {"thickness_nm", film.thickness_nm}});
   return fields;
 }
 
 std::string material_of(const SurfaceDescription& surface) {
-  return surface.material.name();
+  return panels_in_words(surface.profile, surface.material);
 }
 
 std::string grooves_in_words(const SurfaceDescription& surface) {
@@ -26,26 +28,30 @@ std::string grooves_in_words(const SurfaceDescription& surface) {
 }
 
 std::string in_words(const SurfaceDescription& surface) {
-  const std::string words = "aperture " + exact(surface.aperture_deg) + "°";
+  const std::string words = in_words(surface.profile, surface.aperture_deg);
   return surface.films.empty() ? words : words + ", under " + in_words(surface.films);
 }
 
 std::string file_stem(const SurfaceDescription& surface) {
-  return surface.material.name() + "_" + exact(surface.aperture_deg) + "deg" + file_stem(surface.films);
+  std::string material = material_of(surface);
+  std::replace(material.begin(), material.end(), '/', '-');
+  return material + "_" + file_stem(surface.profile, surface.aperture_deg) + file_stem(surface.films);
 }
 
 std::vector<Material> materials_of(const SurfaceDescription& surface) {
   std::vector<Material> materials{surface.material};
+  for (const Material& material : materials_of(surface.profile)) materials.push_back(material);
   for (const FilmLayer& film : surface.films) materials.push_back(film.material);
   return materials;
 }
 
 bool is_bare_symmetric_groove(const SurfaceDescription& surface) {
-  return !has_films(surface.films);
+  return surface.profile.is_plain() && !has_films(surface.films);
 }
 
 std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,
                                             const LightModel& light) {
+  if (!surface.profile.is_plain()) return make_profile_surface(surface, wavelength_nm, light);
   return make_groove_surface(surface, wavelength_nm, light);
 }
 

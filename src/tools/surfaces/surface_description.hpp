@@ -11,6 +11,7 @@
 #include "tools/materials/facet.hpp"
 #include "tools/materials/material.hpp"
 #include "tools/surfaces/films.hpp"
+#include "tools/surfaces/profile_description.hpp"
 #include "tools/surfaces/surface.hpp"
 
 namespace vcavity::tools {
@@ -18,9 +19,10 @@ namespace vcavity::tools {
 /// A surface in the words of the command line. Members are those of one shape and finish; what an option that was not
 /// given would set stays at its default.
 struct SurfaceDescription {
-  Material material;
-  double aperture_deg;                ///< angle between the panels in degrees, (0, 180]
+  Material material;                  ///< of all faces that have none of their own
+  double aperture_deg;                ///< angle between the panels in degrees, [0, 180]; 0 over a floor alone
   std::vector<FilmLayer> films = {};  ///< on every facet, the top one first
+  ProfileDescription profile = {};    ///< where the groove is not symmetric and of one material
 };
 
 /// How light is followed.
