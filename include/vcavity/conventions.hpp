@@ -4,25 +4,21 @@
 /// Conventions: the axes, angles, panels and vectors that every other header uses.
 ///
 ///  - x runs along the groove, z is the normal of the mean surface, y crosses the groove.
-///  - A groove has two panels of unit width that meet at the apex, the origin. The aperture α in (0, π] is
-///  the angle
-///    between them; the opening lies at z = cos(α/2), |y| ≤ sin(α/2). Panel one is at y < 0, panel two at y >
-///    0.
+///  - A groove has two panels of unit width that meet at the apex, the origin. The aperture α in (0, π] is the
+///    angle between them; the opening lies at z = cos(α/2), |y| ≤ sin(α/2). Panel one is at y < 0, panel two at
+///    y > 0.
 ///  - Directions are unit vectors. The direction `e` of a function's arguments points away from the surface,
-///  TOWARDS
-///    the light or the viewer: e = (sin θ sin φ, sin θ cos φ, cos θ), so the azimuth φ starts at +y.
+///    TOWARDS the light or the viewer: e = (sin θ sin φ, sin θ cos φ, cos θ), so the azimuth φ starts at +y.
 ///  - θ' = atan2(e_y, e_z) is the angle of the direction in the plane across the groove, sin ψ = e_x its
-///  elevation out
-///    of that plane.
+///    elevation out of that plane.
 ///  - The complex refractive index is n + ik with k ≥ 0 (time dependence exp(−iωt)), relative to the incident
-///  medium.
+///    medium.
 ///  - Polarised light that travels along the unit vector k is described in the axes a, b, k, right-handed:
-///  a = `polarization_axis(k)` lies in the plane of k and the groove, b = k × a. With field components E_a
-///  and E_b its Stokes parameters are I = |E_a|² + |E_b|², Q = |E_a|² − |E_b|² and U + iV = 2 E_a E_b*; so V
-///  > 0 turns clockwise as seen by the receiver.
-///  - Angles are radians unless the name ends in `_deg`. A position on the opening is a fraction in [−1, 1]
-///  of its half
-///    width.
+///    a = `polarization_axis(k)` lies in the plane of k and the groove, b = k × a. With field components E_a and
+///    E_b its Stokes parameters are I = |E_a|² + |E_b|², Q = |E_a|² − |E_b|² and U + iV = 2 E_a E_b*; so V > 0
+///    turns clockwise as seen by the receiver.
+///  - Angles are radians unless the name ends in `_deg`. A position on the opening is a fraction in [−1, 1] of
+///    its half width.
 ///
 /// The notation is that of Saint-Pierre, Simonot and Hébert, "Reflectance computation for a specular only
 /// V-cavity", Computational Color Imaging Workshop 2019 (hal-02087304), cited below as "the paper".
@@ -52,14 +48,17 @@ constexpr Panel opposite(Panel panel) {
   return panel == Panel::one ? Panel::two : Panel::one;
 }
 
+// Constrained, unlike the functions of GLM that have the same names: so `using namespace glm` and `using namespace
+// vcavity` may stand side by side.
+
 /// Degrees to radians. Multiples of 180/2^k give the correctly rounded multiple of π.
-template <class Real>
+template <Number Real>
 Real radians(Real angle_deg) {
   return angle_deg / Real(180) * pi<Real>();
 }
 
 /// Radians to degrees.
-template <class Real>
+template <Number Real>
 Real degrees(Real angle) {
   return angle / pi<Real>() * Real(180);
 }

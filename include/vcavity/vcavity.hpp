@@ -5,6 +5,8 @@
 /// other; the headers of a room use only those of the rooms before it.
 
 // clang-format off: the order is that of reading.
+// Whatever macros the headers of a system have left.
+#include "vcavity/numbers/hide_macros.hpp"
 #include "vcavity/version.hpp"
 // numbers/ knows no light: what the library computes with.
 #include "vcavity/numbers/number.hpp"
@@ -88,4 +90,5 @@
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"
 #include "vcavity/plan/rough_planner.hpp"
+#include "vcavity/numbers/restore_macros.hpp"
 // clang-format on
