@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +33,8 @@ struct SeriesRule {
 };
 
 /// The Legendre polynomial of a degree.
+/// @param degree at least 0
+/// @param x in [−1, 1]
 template <class Real>
 Real legendre_polynomial(std::size_t degree, const Real& x) {
   Real p0(1);
@@ -48,17 +52,20 @@ Real legendre_polynomial(std::size_t degree, const Real& x) {
 /// Whether a rule integrates from −1 to 1, or from 0 to 1 an integrand that is even.
 enum class Symmetry { none, even };
 
+/// The orders of the rules that `series_rule` makes.
+inline constexpr std::size_t min_series_order = 4, max_series_order = 64;
+
 /// The Gauss–Legendre rule of `order` nodes with the terms of the series. For even integrands its nodes are
 /// the positive ones of the rule of 2·order nodes: as exact as that one, at half the cost.
 ///
 /// Rules are kept for the next call on the same thread.
 ///
-/// @param order at least 4, at most `most_nodes`
+/// @param order from `min_series_order` to `max_series_order`
 template <class Real, Symmetry symmetry>
 const SeriesRule<Real>& series_rule(std::size_t order) {
-  constexpr std::size_t most_nodes = 64;
+  assert(order >= min_series_order && order <= max_series_order);
   constexpr bool even = symmetry == Symmetry::even;
-  thread_local std::array<SeriesRule<Real>, most_nodes + 1> rules;
+  thread_local std::array<SeriesRule<Real>, max_series_order + 1> rules;
   SeriesRule<Real>& rule = rules[order];
   if (!rule.nodes.empty()) return rule;
 
@@ -78,6 +85,43 @@ const SeriesRule<Real>& series_rule(std::size_t order) {
     rule.nodes.push_back(with_terms);
   }
   return rule;
+}
+
+/// How the Legendre series of an integrand falls off in the end, as far as its singularities are known.
+struct SeriesDecay {
+  double rate = 0;       ///< from one degree to the next the terms shrink by exp(−rate) or less; 0 if unknown
+  int multiplicity = 2;  ///< with a pole of order p they fall off like k^(p − 1) exp(−rate k)
+  double trust = 0.4;    ///< part of the observed rate that is believed to last; 1 if all singularities are known
+};
+
+/// Estimate of the error of a rule.
+///
+/// The terms beyond those that the rule resolves continue the fall of the last known ones. Its rate is the
+/// smaller of that of the singularities and of the trusted part of that observed.
+///
+/// @param sizes of the terms of the rule, as `SeriesRule::projection` adds them up
+/// @param decay what is known of the series
+/// @param noise error of the coefficients, below which they say nothing
+/// @return absolute error; 0 where the series has come down to the noise
+template <class Real>
+double series_error(const SeriesRule<Real>& rule, const std::array<double, SeriesRule<Real>::terms>& sizes,
+                    const SeriesDecay& decay, double noise) {
+  constexpr double safety = 10;  // by trial, over random grooves and facets
+  // Either of two neighbours may be small by chance, but hardly both.
+  const std::size_t middle = sizes[0] > sizes[1] ? 0 : 1;
+  const std::size_t last = sizes[2] > sizes[3] ? 2 : 3;
+  if (sizes[last] <= noise * rule.degrees[last]) return 0;
+  const double observed =
+      std::max(std::log(sizes[middle] / sizes[last]) / (rule.degrees[last] - rule.degrees[middle]), 0.0);
+  const double lasting = decay.trust * observed;
+  const double rate = decay.rate > 0 ? std::min(decay.rate, lasting) : lasting;
+  const double missed_degree = rule.exact_degree + 1;
+  const auto missed = [&](std::size_t known) {
+    const double further = missed_degree - rule.degrees[known];
+    return sizes[known] * std::pow(missed_degree / rule.degrees[known], decay.multiplicity - 1) *
+           std::exp(-rate * further);
+  };
+  return safety * std::max(missed(3), missed(2));  // of what is no number the first stays
 }
 
 }  // namespace vcavity

@@ -24,10 +24,10 @@ inline double convergence_rate(const std::complex<double>& z) {
 
 /// A variable of integration u with x = sin(κπu/2)/sin(κπ/2), both from −1 to 1: the larger κ, the more nodes
 /// are drawn to the ends. κ = 0 leaves x as it is.
-class DrawnVariable {
+class SineSubstitution {
  public:
   /// @param draw κ in [0, 1]
-  explicit DrawnVariable(double draw = 0)
+  explicit SineSubstitution(double draw = 0)
       : draw_(draw), end_(draw > 0 ? std::sin(draw * quarter_turn()) : 1) {}
 
   /// The value x and its derivative dx/du.
@@ -55,22 +55,30 @@ class DrawnVariable {
 
 /// A variable of integration and the rate at which the series of the integrand falls off in it, 0 if unknown.
 struct Convergence {
-  DrawnVariable variable;
+  SineSubstitution variable;
   double rate = 0;
 };
+
+/// The rate at which the series falls off in a variable.
+/// @param variable of integration
+/// @param singularities in the plane of x; not empty
+inline Convergence convergence_in(const SineSubstitution& variable,
+                                  const std::vector<std::complex<double>>& singularities) {
+  double rate = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& x : singularities)
+    rate = std::min(rate, convergence_rate(variable.inverse(x)));
+  return {variable, rate};
+}
 
 /// The variable in which the series falls off fastest.
 /// @param singularities in the plane of x; not empty
 inline Convergence best_variable(const std::vector<std::complex<double>>& singularities) {
   Convergence best;
   for (const double draw : {0.0, 0.5, 0.75, 0.9, 1.0}) {
-    const DrawnVariable variable(draw);
-    double rate = std::numeric_limits<double>::infinity();
-    for (const std::complex<double>& x : singularities)
-      rate = std::min(rate, convergence_rate(variable.inverse(x)));
-    if (rate > best.rate) best = {variable, rate};
+    const Convergence here = convergence_in(SineSubstitution(draw), singularities);
+    if (here.rate > best.rate) best = here;
     constexpr double fast = 0.9;
-    if (rate > fast) break;
+    if (here.rate > fast) break;
   }
   return best;
 }

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// What is integrated over the hemisphere for a symmetric groove: its bounce series (bounce_series.hpp), with
+/// the angle u of the ray as the variable across the groove.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "vcavity/groove/reflectance.hpp"
+#include "vcavity/hemisphere/bounce_series.hpp"
+#include "vcavity/hemisphere/facet_singularities.hpp"
+#include "vcavity/hemisphere/kinks.hpp"
+#include "vcavity/numbers/adaptive_quadrature.hpp"
+
+namespace vcavity::detail {
+
+/// The integrand Σ_m T_m(u) Π ρ over [0, α/2] × [0, π/2], of which the reflectance is 4/(π sin(α/2)) times the
+/// integral with cos²ψ.
+template <class Real, class Facet>
+class CavityIntegrand {
+ public:
+  /// @param cavity, facet must outlive the integrand
+  /// @param max_bounces light that needs more is left out
+  CavityIntegrand(const Cavity<Real>& cavity, const Facet& facet, int max_bounces)
+      : cavity_(&cavity), facet_(&facet), max_bounces_(max_bounces), singularities_(facet) {}
+
+  /// What the integral with cos²ψ is to be multiplied by.
+  Real norm() const { return Real(4) / (pi<Real>() * cavity_->sin_half()); }
+
+  /// How much the integral is off because of kinks that `pieces_across` does not cut at.
+  Real left_uncut() const { return left_uncut_; }
+
+  /// Upper bound on the integral over ψ at any u, for facets that reflect all light.
+  static constexpr double largest_along = 1.6;  // π/4 times T_1 + T_2 + … ≤ 2
+
+  /// The pieces of the range of u.
+  /// @param negligible a part of the integral that may be neglected: kinks of less light are not cut at
+  std::vector<QuadraturePiece<Real>> pieces_across(const Real& negligible) {
+    using std::acos;
+    const Real half = cavity_->aperture() / Real(2);
+    std::vector<Real> ends{Real(0), half};
+    const auto add = [&](const Real& u) {
+      if (u > Real(0) && u < half) ends.push_back(u);
+    };
+    left_uncut_ = light_of_longest_rays(negligible);
+    if (left_uncut_ > negligible) {
+      left_uncut_ = Real(0);
+      for (const Real& u : ends_of_rays()) add(u);
+    }
+    critical_is_lit_ = singularities_.is_cut() && is_lit_at_critical_angle(negligible);
+    if (critical_is_lit_) {
+      const Real turns = acos(singularities_.critical()) / half;
+      const Real beyond = turns - floor_of(turns);  // cos(u ± kα/2) is critical at either
+      add(beyond * half);
+      add((Real(1) - beyond) * half);
+    }
+    sort_angles(ends);
+    return pieces_between(ends);
+  }
+
+  /// The parts of a piece for which the highest order does not do.
+  std::vector<QuadraturePiece<Real>> halves_across(const QuadraturePiece<Real>& piece) const {
+    const Real middle = (piece.low + piece.high) / Real(2);
+    if (!(piece.low < middle && middle < piece.high)) return {};
+    return {piece_across(piece.low, middle), piece_across(middle, piece.high)};
+  }
+
+  /// The pieces between ascending ends.
+  std::vector<QuadraturePiece<Real>> pieces_between(const std::vector<Real>& ends) const {
+    std::vector<QuadraturePiece<Real>> pieces;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) pieces.push_back(piece_across(ends[i], ends[i + 1]));
+    return pieces;
+  }
+
+  QuadraturePiece<Real> piece_across(const Real& low, const Real& high) const {
+    // Bounces at the angles u + kα/2; those count that come nearest to a singularity.
+    const double half = static_cast<double>(cavity_->aperture()) / 2;
+    const int most = std::min(max_bounces_, cavity_->max_bounces()) - 1;
+    std::vector<double> bounces;
+    for (const std::complex<double>& cosine : singularities_.cosines()) {
+      const double nearest = std::abs(std::acos(cosine).real()) / half;
+      for (int step = -1; step <= 2; ++step)
+        bounces.push_back(std::clamp(std::floor(nearest) + step, -1.0 * most, 1.0 * most) * half);
+    }
+    std::sort(bounces.begin(), bounces.end());
+    bounces.erase(std::unique(bounces.begin(), bounces.end()), bounces.end());
+    const std::size_t positive = bounces.size();
+    for (std::size_t i = 0; i < positive; ++i) bounces.push_back(-bounces[i]);
+    return singularities_.across(low, high, bounces, critical_is_lit_);
+  }
+
+  /// The integrand at one u, as a function of ψ.
+  class Along {
+   public:
+    Along(const CavityIntegrand& integrand, const Real& u, const Real& negligible)
+        : integrand_(&integrand),
+          series_(*integrand.cavity_, u, integrand.max_bounces_),
+          negligible_(negligible) {
+      if (integrand_->singularities_.is_cut()) find_critical_angles();
+    }
+
+    /// The factor of the integral over ψ.
+    Real weight() const { return Real(1); }
+
+    /// The pieces of the range of ψ.
+    std::vector<QuadraturePiece<Real>> pieces() const {
+      std::vector<Real> ends{Real(0)};
+      for (const auto& angle : cuts_) ends.push_back(angle.psi);
+      ends.push_back(pi<Real>() / Real(2));
+      std::vector<QuadraturePiece<Real>> pieces;
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if (ends[i] < ends[i + 1]) pieces.push_back(piece(ends[i], ends[i + 1]));
+      return pieces;
+    }
+
+    std::vector<QuadraturePiece<Real>> halves(const QuadraturePiece<Real>& whole) const {
+      const Real middle = (whole.low + whole.high) / Real(2);
+      if (!(whole.low < middle && middle < whole.high)) return {};
+      return {piece(whole.low, middle), piece(middle, whole.high)};
+    }
+
+    QuadraturePiece<Real> piece(const Real& low, const Real& high) const {
+      return integrand_->singularities_.along(low, high, angles_);
+    }
+
+    /// The integrand for one ψ or a pack of them.
+    /// @param facet the facet, or the same for packs
+    /// @param sine, cosine of ψ
+    /// @param max_terms the most bounces followed
+    template <class AnyFacet, class Reals>
+    auto operator()(const AnyFacet& facet, const Reals& sine, const Reals& cosine, int max_terms) const {
+      return sum_of_series(series_, facet, sine, cosine, {negligible_, integrand_->singularities_.total_below(), max_terms});
+    }
+
+   private:
+    /// The critical angles of all bounces, as far as light comes there.
+    void find_critical_angles() {
+      const FacetSingularities<Real>& facet = integrand_->singularities_;
+      std::vector<CriticalAngle<Real>> descending;
+      const auto add = [&](const Real& cos_across) {
+        if (!(cos_across > facet.critical())) return false;
+        descending.push_back(facet.critical_angle(cos_across));
+        return true;
+      };
+      for (int m = 1; m <= series_.size(); ++m) {
+        const auto& term = series_[m];
+        const bool is_last = !add(term.cosine_first) & !(m > 1 && add(term.cosine_last));
+        if (is_last) break;
+        constexpr int seldom = 8;
+        if (m % seldom == 0 && integrand_->light_after(series_, m, cos_of(descending.back().psi), negligible_) < negligible_) break;
+      }
+      std::sort(descending.begin(), descending.end(),
+                [](const auto& a, const auto& b) { return a.psi < b.psi; });
+      angles_ = descending;
+      // Nearer to each other than they are sharp, one cut does for several.
+      for (const auto& angle : angles_)
+        if (cuts_.empty() || static_cast<double>(angle.psi - cuts_.back().psi) > 2 * facet.blur(angle))
+          cuts_.push_back(angle);
+    }
+
+    const CavityIntegrand* integrand_;
+    BounceSeries<Real> series_;
+    Real negligible_;
+    std::vector<CriticalAngle<Real>> angles_, cuts_;  // ascending
+  };
+
+  Along at(const Real& u, const Real& negligible) const { return Along(*this, u, negligible); }
+
+ private:
+  /// Where the rays of most bounces end, and where the overlap meets the apex.
+  std::array<Real, 2> ends_of_rays() const {
+    const Real half = cavity_->aperture() / Real(2);
+    const Real longest = Real(cavity_->max_bounces());
+    return {pi<Real>() / Real(2) - (longest - Real(1)) * half, longest * half - pi<Real>() / Real(2)};
+  }
+
+  /// Upper bound on the part of the integral with the two largest numbers of bounces; its kinks in u are all that
+  /// there are. Such light survives almost along the groove only, so that it is enough to know how much does
+  /// where the rest is negligible.
+  Real light_of_longest_rays(const Real& negligible) const {
+    using std::cbrt;
+    using std::sqrt;
+    const Real aperture = cavity_->aperture();
+    const Real width = aperture * aperture;  // of both: ∫ T du
+    const Real cosine = cbrt(Real(negligible / width));
+    const BounceSeries<Real> series(*cavity_, Real(0), max_bounces_);
+    if (series.size() < cavity_->max_bounces() - 1) return Real(0);
+    if (!(cosine < Real(1))) return width;
+    return width * (cosine * cosine * cosine / Real(3) + light_after(series, series.size() - 1, cosine, negligible));
+  }
+
+  static Real cos_of(const Real& x) {
+    using std::cos;
+    return cos(x);
+  }
+  static Real floor_of(const Real& x) {
+    using std::floor;
+    return floor(x);
+  }
+
+  /// What is left of light after m bounces, or less than is negligible.
+  /// @param cosine of ψ
+  Real light_after(const BounceSeries<Real>& series, int m, const Real& cosine, const Real& negligible) const {
+    using std::sqrt;
+    const Real sine = sqrt(at_least(Real((Real(1) - cosine) * (Real(1) + cosine)), Real(0)));
+    const auto at = [&](const Real& cos_across, const Real& sin_across, int parity) {
+      return reflect(*facet_, Bounce<Real>{cos_across * cosine, -sin_across * cosine, sine,
+                                           parity % 2 == 0 ? Panel::one : Panel::two, 1});
+    };
+    value_t<Facet, Real> product(1);
+    Real left(1);
+    for (int i = 2 - m % 2; i <= m && !(left < negligible); i += 2) {
+      const auto& term = series[i];
+      product = at(term.cosine_first, term.sine_first, i / 2) * product;
+      if (i > 1) product = product * at(term.cosine_last, term.sine_last, i / 2 + i - 1);
+      left = static_cast<Real>(light_left(product));
+    }
+    return left;
+  }
+
+  /// Whether light is left where a bounce passes the critical angle at ψ = 0.
+  bool is_lit_at_critical_angle(const Real& negligible) const {
+    using std::acos;
+    const Real turns = acos(singularities_.critical()) / (cavity_->aperture() / Real(2));
+    constexpr int too_many = 100'000;
+    if (turns > Real(too_many)) return false;
+    const BounceSeries<Real> series(*cavity_, Real(0), max_bounces_);
+    const int bounces = std::min(static_cast<int>(turns), series.size());
+    return !(light_after(series, bounces, Real(1), negligible) < negligible);
+  }
+
+  const Cavity<Real>* cavity_;
+  const Facet* facet_;
+  int max_bounces_;
+  FacetSingularities<Real> singularities_;
+  Real left_uncut_{0};
+  bool critical_is_lit_ = false;
+};
+
+}  // namespace vcavity::detail

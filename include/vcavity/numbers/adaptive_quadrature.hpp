@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Adaptive quadrature in one variable that is told what is known of the integrand.
+///
+/// Method. The range comes in pieces on which the integrand is smooth. Each is integrated by the Gauss–Legendre
+/// rule whose order its singularities ask for; the fall of the Legendre series tells the error
+/// (legendre_series.hpp). As long as the errors add up to more than the tolerance, the piece with the largest
+/// one gets a rule of higher order, or is halved where the highest does not do.
+///
+/// When not to use it: for an integrand whose singularities lie inside the pieces, unknown, it converges slowly.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "vcavity/numbers/legendre_series.hpp"
+#include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/sine_substitution.hpp"
+
+namespace vcavity {
+
+/// A part of the range of an integral, and what is known of the integrand there.
+template <class Real>
+struct QuadraturePiece {
+  Real low, high;                        ///< its ends
+  Symmetry symmetry = Symmetry::none;    ///< even: the integrand is even about `low`
+  SineSubstitution variable{};           ///< the variable of integration
+  SeriesDecay decay{};                   ///< of the Legendre series in that variable
+  std::size_t order = 0;                 ///< the first order to try; 0 for the one that the decay asks for
+};
+
+/// What a rule makes of a piece.
+template <class Value>
+struct PieceEstimate {
+  Value value;
+  std::array<double, 4> sizes;  ///< of the terms of the Legendre series
+  double noise;                 ///< error of the values of the integrand, integrated over the piece
+  double series_noise;          ///< what of that, and of rounding, is seen in a term of the series
+};
+
+/// An integral by adaptive quadrature.
+template <class Real, class Value>
+struct AdaptiveIntegral {
+  Value value;
+  double error;                               ///< estimate, without the noise
+  double noise;                               ///< error of the values of the integrand, integrated
+  std::vector<QuadraturePiece<Real>> pieces;  ///< as they were in the end: a good start for a similar integrand
+};
+
+/// The orders of the rules for a variable.
+struct QuadratureOrders {
+  std::size_t step;      ///< orders are multiples of it, as where nodes come in packs
+  std::size_t min, max;  ///< of the first to the last order tried
+
+  /// The number of nodes that bring an error down by a factor.
+  /// @param rate per node; a guess stands in for 0
+  std::size_t nodes(double factor, double rate) const {
+    constexpr double guess = 1.5;
+    const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
+    return step * static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / static_cast<double>(step)));
+  }
+  /// The first order to try for an error.
+  std::size_t first(double error, double rate) const { return std::clamp(nodes(error, rate), min, max); }
+  /// The next order to try; a little higher where the rate is not known.
+  std::size_t next(std::size_t order, double factor, double rate) const {
+    const std::size_t unknown = (order / 2 + step) / step * step;
+    return std::min(order + (rate > 0 ? std::max(nodes(factor, rate), step) : unknown), max);
+  }
+};
+
+/// The sum of an integrand over the nodes of a rule, and of the terms of its Legendre series.
+template <class Addend, class Weight>
+struct SeriesSum {
+  Addend integral = Addend(0);
+  std::array<Addend, 4> terms{Addend(0), Addend(0), Addend(0), Addend(0)};
+
+  /// @param value of the integrand at a node
+  /// @param weight of the node
+  /// @param projection of the node on the terms
+  void add(const Addend& value, const Weight& weight, const std::array<Weight, 4>& projection) {
+    integral = integral + scaled(weight, value);
+    for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = terms[i] + scaled(projection[i], value);
+  }
+};
+
+/// The integral over all pieces.
+/// @param pieces of the range
+/// @param tolerance absolute error to aim at; what cannot be reached is told in the result
+/// @param orders to try
+/// @param estimate called with a piece and a rule, returns a `PieceEstimate`
+/// @param halves called with a piece that the highest order does not do for, returns two or more in its place,
+/// or none if it cannot be halved
+/// @param exhausted called between rules; true ends the quadrature with what it has
+template <class Real, class Value, class Estimate, class Halves, class Exhausted>
+AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<Real>> pieces, double tolerance,
+                                                   const QuadratureOrders& orders, Estimate&& estimate,
+                                                   Halves&& halves, Exhausted&& exhausted) {
+  struct Work {
+    QuadraturePiece<Real> piece;
+    PieceEstimate<Value> estimate;
+    double error;
+  };
+  const auto is_better = [](const Work& a, const Work& b) { return a.error < b.error; };
+  // Degrees that one more node makes exact.
+  const auto rate_per_node = [](const QuadraturePiece<Real>& piece) {
+    return (piece.symmetry == Symmetry::even ? 4 : 2) * piece.decay.rate;
+  };
+  const auto done = [&](QuadraturePiece<Real> piece, double share) {
+    if (piece.order == 0)
+      piece.order = orders.first(share * std::exp2(-std::min(piece.decay.multiplicity, 6)), rate_per_node(piece));
+    piece.order = std::clamp(piece.order, orders.min, orders.max);
+    const SeriesRule<Real>& rule = piece.symmetry == Symmetry::even
+                                       ? series_rule<Real, Symmetry::even>(piece.order)
+                                       : series_rule<Real, Symmetry::none>(piece.order);
+    const PieceEstimate<Value> result = estimate(piece, rule);
+    return Work{piece, result, series_error(rule, result.sizes, piece.decay, result.series_noise)};
+  };
+
+  std::vector<Work> heap;  // the largest error first
+  const double share = tolerance / static_cast<double>(std::max<std::size_t>(pieces.size(), 1));
+  double error = 0;
+  for (const QuadraturePiece<Real>& piece : pieces) {
+    heap.push_back(done(piece, share));
+    error += heap.back().error;
+  }
+  std::make_heap(heap.begin(), heap.end(), is_better);
+  while (error > tolerance && !heap.empty() && !exhausted()) {
+    std::pop_heap(heap.begin(), heap.end(), is_better);
+    const Work worst = heap.back();
+    heap.pop_back();
+    const double aim = std::max(tolerance - (error - worst.error), 0.5 * tolerance / static_cast<double>(heap.size() + 1));
+    std::vector<QuadraturePiece<Real>> next;
+    if (worst.piece.order < orders.max) {
+      next.push_back(worst.piece);
+      next.back().order = orders.next(worst.piece.order, aim / worst.error, rate_per_node(worst.piece));
+    } else {
+      next = halves(worst.piece);
+      if (next.empty()) {
+        heap.push_back(worst);
+        break;
+      }
+    }
+    error -= worst.error;
+    for (const QuadraturePiece<Real>& piece : next) {
+      heap.push_back(done(piece, aim / static_cast<double>(next.size())));
+      std::push_heap(heap.begin(), heap.end(), is_better);
+    }
+    error = 0;
+    for (const Work& work : heap) error += work.error;
+  }
+
+  std::sort(heap.begin(), heap.end(), [](const Work& a, const Work& b) { return a.piece.low < b.piece.low; });
+  AdaptiveIntegral<Real, Value> result{Value(0), 0, 0, {}};
+  for (const Work& work : heap) {
+    result.value = result.value + work.estimate.value;
+    result.error += work.error;
+    result.noise += work.estimate.noise;
+    result.pieces.push_back(work.piece);
+  }
+  return result;
+}
+
+}  // namespace vcavity
