@@ -21,6 +21,7 @@
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
+#include "vcavity/numbers/adaptive_quadrature.hpp"
 #include "vcavity/numbers/progression_sum.hpp"
 // What is where, and in which units.
 #include "vcavity/conventions.hpp"
@@ -49,6 +50,12 @@
 #include "vcavity/polarization/absorbed_fields.hpp"
 // hemisphere/: light from everywhere.
 #include "vcavity/hemisphere/integral.hpp"
+#include "vcavity/hemisphere/kinks.hpp"
+#include "vcavity/hemisphere/bounce_series.hpp"
+#include "vcavity/hemisphere/facet_singularities.hpp"
+#include "vcavity/hemisphere/cavity_integrand.hpp"
+#include "vcavity/hemisphere/counted_facet.hpp"
+#include "vcavity/hemisphere/hemisphere_quadrature.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
 #include "vcavity/hemisphere/paper_method.hpp"
 #include "vcavity/hemisphere/adaptive_hemisphere.hpp"

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <vector>
 
 #include "vcavity/groove/reflectance.hpp"
@@ -26,10 +27,30 @@ class CavityIntegrand {
   /// @param cavity, facet must outlive the integrand
   /// @param max_bounces light that needs more is left out
   CavityIntegrand(const Cavity<Real>& cavity, const Facet& facet, int max_bounces)
-      : cavity_(&cavity), facet_(&facet), max_bounces_(max_bounces), singularities_(facet) {}
+      : cavity_(&cavity), facet_(&facet), max_bounces_(max_bounces),
+        singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
+                       decay_along(cavity)) {}
 
   /// What the integral with cos²ψ is to be multiplied by.
   Real norm() const { return Real(4) / (pi<Real>() * cavity_->sin_half()); }
+
+  /// Whether reflectances change most towards grazing light along the groove.
+  static bool is_narrow(const Cavity<Real>& cavity) {
+    constexpr int many_bounces = 6;
+    return cavity.max_bounces() > many_bounces;
+  }
+
+  /// How series along the groove fall off. Bounces off panels that face the light share the pole of r_p² nearest
+  /// to them. In narrow grooves waves that interfere after many bounces show late in a series.
+  static SeriesDecay decay_along(const Cavity<Real>& cavity) {
+    constexpr bool is_wave = !std::invocable<const Facet&, const Real&>;
+    if (is_narrow(cavity)) return {0, 2, is_wave ? 0.1 : 0.6};
+    constexpr double nearly_upright = 0.9;
+    return {0, 2 + 2 * static_cast<int>(nearly_upright / static_cast<double>(cavity.aperture())), 1};
+  }
+
+  /// Whether the range along the groove is cut at critical angles, which move with u.
+  bool is_cut() const { return singularities_.is_cut(); }
 
   /// How much the integral is off because of kinks that `pieces_across` does not cut at.
   Real left_uncut() const { return left_uncut_; }
@@ -103,14 +124,26 @@ class CavityIntegrand {
       if (integrand_->singularities_.is_cut()) find_critical_angles();
     }
 
+    /// A direction by the variable along the groove.
+    AlongDirection<Real> direction(const Real& x) const {
+      return along_direction(integrand_->singularities_.variable(), x);
+    }
+
+    /// Bound on the integral beyond the last piece.
+    Real beyond() const {
+      if (integrand_->singularities_.variable() == AlongVariable::angle) return Real(0);
+      const Real cosine = least_cosine();
+      return cosine * cosine * cosine * Real(2) / Real(3);  // T_1 + T_2 + … ≤ 2
+    }
+
     /// The factor of the integral over ψ.
     Real weight() const { return Real(1); }
 
-    /// The pieces of the range of ψ.
+    /// The pieces of the range of the variable along the groove.
     std::vector<QuadraturePiece<Real>> pieces() const {
       std::vector<Real> ends{Real(0)};
-      for (const auto& angle : cuts_) ends.push_back(angle.psi);
-      ends.push_back(pi<Real>() / Real(2));
+      for (const auto& angle : cuts_) ends.push_back(angle.at);
+      ends.push_back(end());
       std::vector<QuadraturePiece<Real>> pieces;
       for (std::size_t i = 0; i + 1 < ends.size(); ++i)
         if (ends[i] < ends[i + 1]) pieces.push_back(piece(ends[i], ends[i + 1]));
@@ -133,10 +166,24 @@ class CavityIntegrand {
     /// @param max_terms the most bounces followed
     template <class AnyFacet, class Reals>
     auto operator()(const AnyFacet& facet, const Reals& sine, const Reals& cosine, int max_terms) const {
-      return sum_of_series(series_, facet, sine, cosine, {negligible_, integrand_->singularities_.total_below(), max_terms});
+      // Towards grazing light the integrand weighs little.
+      const Real most = largest(cosine);
+      const Real weight = most * most * (integrand_->singularities_.variable() == AlongVariable::angle ? Real(1) : Real(8) * most);
+      return sum_of_series(series_, facet, sine, cosine,
+                           {negligible_ / at_least(weight, negligible_), integrand_->singularities_.total_below(), max_terms});
     }
 
    private:
+    Real least_cosine() const {
+      using std::cbrt;
+      return at_most(Real(cbrt(negligible_)), Real(0.5));
+    }
+    Real end() const {
+      return integrand_->singularities_.variable() == AlongVariable::angle
+                 ? Real(pi<Real>() / Real(2))
+                 : along_of_cosine(AlongVariable::logarithmic, least_cosine());
+    }
+
     /// The critical angles of all bounces, as far as light comes there.
     void find_critical_angles() {
       const FacetSingularities<Real>& facet = integrand_->singularities_;
@@ -149,16 +196,16 @@ class CavityIntegrand {
       for (int m = 1; m <= series_.size(); ++m) {
         const auto& term = series_[m];
         const bool is_last = !add(term.cosine_first) & !(m > 1 && add(term.cosine_last));
-        if (is_last) break;
+        if (is_last && m > 1) break;
         constexpr int seldom = 8;
-        if (m % seldom == 0 && integrand_->light_after(series_, m, cos_of(descending.back().psi), negligible_) < negligible_) break;
+        if (m % seldom == 0 && !descending.empty() && integrand_->light_after(series_, m, direction(descending.back().at).cosine, negligible_) < negligible_) break;
       }
       std::sort(descending.begin(), descending.end(),
-                [](const auto& a, const auto& b) { return a.psi < b.psi; });
+                [](const auto& a, const auto& b) { return a.at < b.at; });
       angles_ = descending;
       // Nearer to each other than they are sharp, one cut does for several.
       for (const auto& angle : angles_)
-        if (cuts_.empty() || static_cast<double>(angle.psi - cuts_.back().psi) > 2 * facet.blur(angle))
+        if (angle.at < end() && (cuts_.empty() || static_cast<double>(angle.at - cuts_.back().at) > 2 * facet.blur(angle)))
           cuts_.push_back(angle);
     }
 
@@ -193,10 +240,6 @@ class CavityIntegrand {
     return width * (cosine * cosine * cosine / Real(3) + light_after(series, series.size() - 1, cosine, negligible));
   }
 
-  static Real cos_of(const Real& x) {
-    using std::cos;
-    return cos(x);
-  }
   static Real floor_of(const Real& x) {
     using std::floor;
     return floor(x);

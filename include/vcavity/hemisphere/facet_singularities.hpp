@@ -14,6 +14,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -23,10 +24,40 @@
 
 namespace vcavity::detail {
 
-/// An angle ψ at which a bounce passes the critical angle.
+/// The variable along the groove: ψ itself, or t with sin ψ = tanh t, cos ψ = 1/cosh t, which spreads out grazing
+/// light. In narrow grooves reflectances change on the scale of cos ψ ~ α, and as functions of t on the scale 1.
+enum class AlongVariable { angle, logarithmic };
+
+/// A direction by the variable along the groove.
+template <class Real>
+struct AlongDirection {
+  Real sine, cosine;  ///< of ψ
+  Real slope;         ///< dψ over that of the variable
+};
+
+template <class Real>
+AlongDirection<Real> along_direction(AlongVariable variable, const Real& x) {
+  using std::cos;
+  using std::cosh;
+  using std::sin;
+  using std::tanh;
+  if (variable == AlongVariable::angle) return {sin(x), cos(x), Real(1)};
+  const Real cosine = Real(1) / cosh(x);
+  return {tanh(x), cosine, cosine};
+}
+
+/// The variable along the groove for a cosine of ψ.
+template <class Number>
+Number along_of_cosine(AlongVariable variable, const Number& cosine) {
+  using std::acos;
+  using std::acosh;
+  return variable == AlongVariable::angle ? acos(cosine) : acosh(Number(1) / cosine);
+}
+
+/// Where a bounce passes the critical angle.
 template <class Real>
 struct CriticalAngle {
-  Real psi;
+  Real at;            ///< the variable along the groove
   double cos_across;  ///< the cosine of incidence of that bounce at ψ = 0
 };
 
@@ -34,15 +65,21 @@ template <class Real>
 class FacetSingularities {
  public:
   /// @param facet that tells its singularities, or does not
+  /// @param variable along the groove
+  /// @param decay of series along the groove; its rate is not used
   template <class Facet>
-  explicit FacetSingularities(const Facet& facet)
-      : critical_(critical_cosine_of<Real>(facet)), cosines_(singular_cosines_of(facet)) {
+  FacetSingularities(const Facet& facet, AlongVariable variable, const SeriesDecay& decay)
+      : variable_(variable),
+        decay_(decay),
+        critical_(critical_cosine_of<Real>(facet)),
+        cosines_(singular_cosines_of(facet)) {
     if (is_cut())
       for (const std::complex<double>& cosine : cosines_)
         if (branch_ == 0.0 || std::abs(cosine - double_of(critical_)) < std::abs(branch_ - double_of(critical_)))
           branch_ = cosine;
     if (branch_ == 0.0) branch_ = double_of(critical_);
     if (branch_.imag() < 0) branch_ = std::conj(branch_);
+    brewster_ = 1.0 / std::sqrt(2.0 - branch_ * branch_);
   }
 
   /// Whether there is a critical angle.
@@ -54,44 +91,60 @@ class FacetSingularities {
   /// The cosine of incidence below which no light is lost; 0 if there is none.
   Real total_below() const { return is_cut() && branch_.imag() == 0 ? critical_ : Real(0); }
 
-  /// The ψ at which a bounce passes the critical angle.
+  /// Where a bounce passes the critical angle.
   /// @param cos_across its cosine at ψ = 0, above the critical one
   CriticalAngle<Real> critical_angle(const Real& cos_across) const {
-    using std::acos;
-    return {acos(critical_ / cos_across), double_of(cos_across)};
+    return {along_of_cosine(variable_, Real(critical_ / cos_across)), double_of(cos_across)};
   }
 
   /// How far off the real axis the branch point of a critical angle lies.
   double blur(const CriticalAngle<Real>& angle) const {
-    return std::abs(std::acos(branch_ / angle.cos_across).imag());
+    return std::abs(along_of_cosine(variable_, branch_ / angle.cos_across).imag());
   }
 
-  /// A piece of the range of ψ.
+  /// A piece of the range of the variable along the groove.
   /// @param angles at which to beware, in ascending order; none of them inside, unless blurred
   QuadraturePiece<Real> along(const Real& low, const Real& high,
                               const std::vector<CriticalAngle<Real>>& angles) const {
     QuadraturePiece<Real> piece{low, high, low == Real(0) ? Symmetry::even : Symmetry::none, SineSubstitution(1)};
-    if (cosines_.empty() || (!is_cut() && low > Real(0))) return piece;
+    const bool logarithmic = variable_ == AlongVariable::logarithmic;
+    if (cosines_.empty() || (!is_cut() && !logarithmic && low > Real(0))) return piece;
     const bool even = low == Real(0);
     const double middle = even ? 0 : 0.5 * (double_of(low) + double_of(high));
     const double half = double_of(high) - middle;
     std::vector<std::complex<double>> singularities;
-    const auto add = [&](const std::complex<double>& psi) { singularities.push_back((psi - middle) / half); };
-    for (const std::complex<double>& cosine : cosines_) add(std::acos(cosine));
+    const auto add = [&](const std::complex<double>& x) { singularities.push_back((x - middle) / half); };
+    for (const std::complex<double>& cosine : cosines_) {
+      if (is_cut() && std::abs(cosine) == std::abs(branch_)) continue;  // that of each bounce counts, see below
+      const std::complex<double> at = along_of_cosine(variable_, cosine);
+      // Bounces across the groove are less upright, which moves singularities towards smaller t.
+      add(logarithmic ? std::complex<double>(std::clamp(middle, 0.0, std::max(at.real(), 0.0)), at.imag()) : at);
+    }
+    // Sums over ever more bounces converge as long as light loses by a bounce, Re cos ψ > 0.
+    if (logarithmic) add({middle, std::numbers::pi / 2});
     bool ends_at_branch = false;
+    double beyond = std::numeric_limits<double>::infinity();
     const auto near = [&](const Real& end) {
       constexpr std::ptrdiff_t neighbours = 3;
-      const auto at = std::lower_bound(angles.begin(), angles.end(), end,
-                                       [](const auto& angle, const Real& psi) { return angle.psi < psi; });
-      const auto first = at - std::min(neighbours, at - angles.begin());
-      const auto last = at + std::min(neighbours, angles.end() - at);
+      const auto next = std::lower_bound(angles.begin(), angles.end(), end,
+                                       [](const auto& angle, const Real& x) { return angle.at < x; });
+      const auto first = next - std::min(neighbours, next - angles.begin());
+      const auto last = next + std::min(neighbours, angles.end() - next);
       for (auto angle = first; angle != last; ++angle) {
-        const std::complex<double> psi = std::acos(branch_ / angle->cos_across);
+        const std::complex<double> at = along_of_cosine(variable_, branch_ / angle->cos_across);
         constexpr double coincident = 1e-9;  // of the width
-        if (std::abs(psi - double_of(low)) < coincident * half || std::abs(psi - double_of(high)) < coincident * half)
-          ends_at_branch = true;
-        else
-          add(psi);
+        const bool ends_low = std::abs(at - double_of(low)) < coincident * half;
+        const bool ends_high = std::abs(at - double_of(high)) < coincident * half;
+        if (!ends_low && !ends_high) {
+          add(at);
+          continue;
+        }
+        // The square root is smooth in the variable of integration, which goes on to its other sign beyond the end. There
+        // the Brewster angle, at which r_p = 0, is a pole.
+        ends_at_branch = true;
+        const std::complex<double> brewster = along_of_cosine(variable_, brewster_ / angle->cos_across);
+        const std::complex<double> u = SineSubstitution(1).inverse((brewster - middle) / half);
+        beyond = std::min(beyond, convergence_rate(2.0 - (ends_high ? u : -u)));
       }
     };
     if (is_cut()) {
@@ -101,7 +154,8 @@ class FacetSingularities {
     const Convergence best = ends_at_branch ? convergence_in(SineSubstitution(1), singularities)
                                             : best_variable(singularities);
     piece.variable = best.variable;
-    piece.decay = {best.rate, 2, 1};
+    piece.decay = decay_;
+    piece.decay.rate = std::min(best.rate, beyond);
     return piece;
   }
 
@@ -115,17 +169,18 @@ class FacetSingularities {
     const double middle = 0.5 * (double_of(low) + double_of(high));
     const double half = 0.5 * (double_of(high) - double_of(low));
     std::vector<std::complex<double>> singularities;
-    const auto add = [&](const std::complex<double>& angle) {
-      const std::complex<double> x = (angle - middle) / half;
-      constexpr double coincident = 1e-9;
-      if (std::abs(x - 1.0) > coincident && std::abs(x + 1.0) > coincident) singularities.push_back(x);
-    };
     for (const std::complex<double>& cosine : cosines_) {
-      if (!lit && std::abs(cosine) == std::abs(branch_)) continue;
-      for (const double bounce : bounces) {
-        add(std::acos(cosine) - bounce);
-        add(-std::acos(cosine) - bounce);
-      }
+      const bool is_branch = is_cut() && std::abs(cosine) == std::abs(branch_);
+      if (!lit && is_branch) continue;
+      for (const double bounce : bounces)
+        for (const double side : {1.0, -1.0}) {
+          std::complex<double> angle = side * std::acos(cosine) - bounce;
+          constexpr double coincident = 1e-9;
+          if (is_branch && (std::abs(angle - double_of(low)) < coincident * half ||
+                            std::abs(angle - double_of(high)) < coincident * half))
+            angle = 2.0 * angle - (side * std::acos(brewster_) - bounce);  // as in `along`
+          singularities.push_back((angle - middle) / half);
+        }
     }
     // Where two bounces become critical together is a weak singularity at an end.
     const Convergence best =
@@ -135,15 +190,21 @@ class FacetSingularities {
     return piece;
   }
 
+  /// The variable along the groove.
+  AlongVariable variable() const { return variable_; }
+
   /// The singular cosines; empty if they are not known.
   const std::vector<std::complex<double>>& cosines() const { return cosines_; }
 
  private:
   static double double_of(const Real& x) { return static_cast<double>(x); }
 
+  AlongVariable variable_;
+  SeriesDecay decay_;
   Real critical_;
   std::vector<std::complex<double>> cosines_;
-  std::complex<double> branch_ = 0.0;  // of the square root at the critical angle
+  std::complex<double> branch_ = 0.0;    // of the square root at the critical angle
+  std::complex<double> brewster_ = 0.0;  // the cosine at which r_p = 0
 };
 
 }  // namespace vcavity::detail

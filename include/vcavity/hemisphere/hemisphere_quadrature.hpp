@@ -104,7 +104,7 @@ class HemisphereQuadrature {
       std::array<Real, Rule::terms> projection;
       for (std::size_t i = 0; i < Rule::terms; ++i) projection[i] = node.projection[i] * scale;
       sum.add(inner.value, Real(node.weight * scale), projection);
-      const double error = inner.error + inner.noise;
+      const double error = inner.error + inner.noise + static_cast<double>(along.beyond());
       noise += static_cast<double>(node.weight * scale) *
                (error <= Integrand::largest_along ? error : Integrand::largest_along);
     }
@@ -115,7 +115,7 @@ class HemisphereQuadrature {
   template <class Along>
   AdaptiveIntegral<Real, Value> integral_along(const Along& along) {
     auto pieces = along.pieces();
-    if (pieces.size() == 1 && !kept_pieces_.empty()) {
+    if (!integrand_.is_cut() && !kept_pieces_.empty()) {
       pieces = kept_pieces_;
     } else {
       for (std::size_t i = 0; i < pieces.size() && i < kept_orders_.size(); ++i)
@@ -123,10 +123,10 @@ class HemisphereQuadrature {
     }
     const std::size_t count = pieces.size();
     auto result = integrate_adaptively<Real, Value>(
-        std::move(pieces), along_tolerance_, {4, min_series_order, 40},
+        std::move(pieces), along_tolerance_, {4, min_series_order, 56},
         [&](const auto& piece, const auto& rule) { return estimate_along(along, piece, rule); },
         [&](const Piece& piece) { return along.halves(piece); }, [&] { return is_exhausted(); });
-    if (count == 1 || !kept_pieces_.empty()) {
+    if (!integrand_.is_cut()) {
       kept_pieces_ = result.pieces;
     } else if (result.pieces.size() == count) {
       kept_orders_.clear();
@@ -146,18 +146,15 @@ class HemisphereQuadrature {
     SeriesSum<Values, Reals> sum;
     double left_out = 0;
     for (std::size_t start = 0; start < rule.nodes.size(); start += lanes) {
-      using std::cos;
-      using std::sin;
       Reals sine, cosine, weight;
       std::array<Reals, Rule::terms> projection;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const auto& node = rule.nodes[start + lane];
         const auto [x, slope] = piece.variable.at(node.x);
-        const Real psi = middle + half * x;
-        const Real cos_psi = cos(psi);
-        const Real factor = half * slope * cos_psi * cos_psi;
-        component(sine, lane) = sin(psi);
-        component(cosine, lane) = cos_psi;
+        const auto direction = along.direction(middle + half * x);
+        const Real factor = half * slope * direction.slope * direction.cosine * direction.cosine;
+        component(sine, lane) = direction.sine;
+        component(cosine, lane) = direction.cosine;
         component(weight, lane) = factor * node.weight;
         for (std::size_t i = 0; i < Rule::terms; ++i) component(projection[i], lane) = factor * node.projection[i];
       }

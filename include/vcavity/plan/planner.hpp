@@ -117,13 +117,13 @@ class TriedFacet {
 inline std::vector<double> angles_across(const Cavity<double>& cavity) {
   constexpr double step = 0.015;
   constexpr std::size_t most_kinks = 256;
-  const std::vector<double> kinks = kinks_across(cavity, 0.0);
-  const std::size_t stride = 1 + kinks.size() / most_kinks;
-  std::vector<double> angles{kinks.back()};
-  for (std::size_t i = 0; i + 1 < kinks.size(); i += stride) {
-    const double width = kinks[std::min(i + stride, kinks.size() - 1)] - kinks[i];
+  const std::vector<double> ends = kinks(cavity);
+  const std::size_t stride = 1 + ends.size() / most_kinks;
+  std::vector<double> angles{ends.back()};
+  for (std::size_t i = 0; i + 1 < ends.size(); i += stride) {
+    const double width = ends[std::min(i + stride, ends.size() - 1)] - ends[i];
     const int pieces = 2 + static_cast<int>(width / step);
-    for (int j = 0; j < pieces; ++j) angles.push_back(kinks[i] + j * width / pieces);
+    for (int j = 0; j < pieces; ++j) angles.push_back(ends[i] + j * width / pieces);
   }
   return angles;
 }

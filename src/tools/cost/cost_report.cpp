@@ -57,13 +57,13 @@ double midpoint_over_directions(const Cavity<double>& cavity, const Facet& facet
 template <class Facet>
 double gauss_between_kinks(const Cavity<double>& cavity, const Facet& facet, int order) {
   const auto nodes = gauss_legendre<double>(static_cast<std::size_t>(order));
-  const auto kinks = detail::kinks_across(cavity, 0.0);
+  const auto angles = kinks(cavity);
   const double quarter = pi<double>() / 4;
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
-    const double half = (kinks[i + 1] - kinks[i]) / 2;
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+    const double half = (angles[i + 1] - angles[i]) / 2;
     for (const auto& across : nodes) {
-      const double theta = kinks[i] + half * (1 + across.x);
+      const double theta = angles[i] + half * (1 + across.x);
       for (const auto& along : nodes) {
         const double psi = quarter * (1 + along.x);
         const double cos_psi = std::cos(psi);

@@ -24,36 +24,6 @@ struct Measurement {
   long long evaluations;  ///< of the facet reflectance; 0 if not counted
 };
 
-/// A facet that counts its evaluations, and is in all else the same.
-template <class Facet>
-class CountedFacet : public FacetWrapper<CountedFacet, Facet> {
-  using Base = FacetWrapper<CountedFacet, Facet>;
-
- public:
-  /// \param directions   of a call
-  CountedFacet(const Facet& facet, long long& evaluations, std::size_t directions = 1)
-      : Base(facet), evaluations_(evaluations), directions_(directions) {}
-
-  template <class Bounce>
-    requires std::invocable<const Facet&, const Bounce&>
-  auto operator()(const Bounce& bounce) const {
-    evaluations_ += static_cast<long long>(directions_);
-    return Base::facet()(bounce);
-  }
-
-  template <std::size_t directions>
-  auto over_directions() const
-    requires OverDirections<Facet>
-  {
-    using Wide = decltype(std::declval<const Facet&>().template over_directions<directions>());
-    return CountedFacet<Wide>(Base::facet().template over_directions<directions>(), evaluations_, directions);
-  }
-
- private:
-  long long& evaluations_;
-  std::size_t directions_;
-};
-
 /// Median wall-clock time of `compute()`, in seconds: of at least five calls, or fewer if they take seconds.
 template <class Compute>
 double median_seconds(Compute&& compute) {

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <numeric>
-#include <vcavity/groove/lobes.hpp>
+#include <vcavity/hemisphere/kinks.hpp>
 
 namespace vcavity::tools {
 namespace {
@@ -18,40 +16,40 @@ struct BounceRange {
   bool operator==(const BounceRange&) const = default;
 };
 
-BounceRange bounces_at(const Cavity<double>& cavity, double theta_across) {
-  // A lobe of smaller weight is rounding, such as that of a bounce more at an aperture of 180°/k.
-  constexpr double least_weight = 1e-9;
-  BounceRange range;
-  const Vec3<double> e{0, std::sin(theta_across), std::cos(theta_across)};
-  for (const auto& lobe : lobes(cavity, e, [](double) { return 1.0; })) {
-    if (lobe.weight < least_weight) continue;
-    range.least = std::min(range.least, lobe.bounces);
-    range.most = std::max(range.most, lobe.bounces);
+/// Adds the numbers of bounces of the rays that meet first the panel towards which θ' is positive.
+///
+/// With the panels unfolded, a ray of m bounces meets them at the angles −D, α − D, …, (m − 1) α − D from their normals,
+/// D = (π − α)/2 − θ', of which the last lies below π/2; and it deviates from the line through the middles of the
+/// openings by less than α/2, |(m − 1) α/2 − D| < α/2.
+void add_rays(BounceRange& range, const Cavity<double>& cavity, double theta_across) {
+  const double aperture = cavity.aperture();
+  const double first = (pi<double>() - aperture) / 2 - theta_across;
+  const int lower = static_cast<int>(std::floor(2 * first / aperture)) + 1;
+  for (const int bounces : {lower, lower + 1}) {
+    if (bounces < 1 || !((bounces - 1) * aperture - first < pi<double>() / 2)) continue;
+    range.least = std::min(range.least, bounces);
+    range.most = std::max(range.most, bounces);
   }
+}
+
+BounceRange bounces_at(const Cavity<double>& cavity, double theta_across) {
+  BounceRange range;
+  add_rays(range, cavity, theta_across);
+  if (theta_across < cavity.aperture() / 2) add_rays(range, cavity, -theta_across);
   return range;
 }
 
 }  // namespace
 
 std::vector<BounceZone> bounce_zones(const Cavity<double>& cavity) {
-  constexpr int steps = 4096;
-  constexpr double precision = 1e-9;
-  const auto angle = [](int step) { return std::numbers::pi / 2 * (step + 0.5) / steps; };
-
-  BounceRange current = bounces_at(cavity, angle(0));
-  std::vector<BounceZone> zones{{0, std::numbers::pi / 2, current.least, current.most}};
-  for (int step = 1; step < steps; ++step) {
-    const BounceRange next = bounces_at(cavity, angle(step));
-    if (next == current) continue;
-    double before = angle(step - 1);
-    double after = angle(step);
-    while (after - before > precision) {
-      const double middle = std::midpoint(before, after);
-      (bounces_at(cavity, middle) == current ? before : after) = middle;
-    }
-    zones.back().high = after;
-    zones.push_back({after, std::numbers::pi / 2, next.least, next.most});
-    current = next;
+  const std::vector<double> angles = kinks(cavity);
+  std::vector<BounceZone> zones;
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+    const BounceRange here = bounces_at(cavity, (angles[i] + angles[i + 1]) / 2);
+    if (!zones.empty() && zones.back().least == here.least && zones.back().most == here.most)
+      zones.back().high = angles[i + 1];
+    else
+      zones.push_back({angles[i], angles[i + 1], here.least, here.most});
   }
   return zones;
 }

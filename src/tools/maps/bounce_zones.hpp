@@ -18,8 +18,8 @@ struct BounceZone {
   int most;
 };
 
-/// The zones of a groove in ascending order of θ', from 0 to π/2; negative θ' mirror them. Zones narrower
-/// than 90°/4096 may be missing.
+/// The zones of a groove in ascending order of θ', from 0 to π/2; negative θ' mirror them. They end at the kinks of the
+/// groove, and all of them are there.
 std::vector<BounceZone> bounce_zones(const Cavity<double>& cavity);
 
 }  // namespace vcavity::tools

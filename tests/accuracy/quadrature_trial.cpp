@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Prints a table of docs/accuracy.md: how often the bi-hemispherical reflectance of random grooves is farther
+/// off than its error estimate, or than the tolerance.
+///
+///     vcavity_trial [--scenes N] [--seed S] [--worst]
+///
+/// A scene is a groove, a material, a model of polarisation and a tolerance. "Off" is measured against the same
+/// quadrature asked for four digits more; scenes whose error estimate is then still above the tolerance say
+/// nothing, and are counted. With --worst, the scenes that are farthest off in units of their estimate follow.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vcavity/vcavity.hpp>
+#include <vector>
+
+namespace {
+
+using namespace vcavity;
+
+struct Scene {
+  double aperture_deg, n, k;
+  int model;
+};
+
+/// Random numbers that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
+  }
+  double logarithmic(double low, double high) {
+    return std::exp(between(std::log(low), std::log(high)));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct Kind {
+  const char* name;
+  void (*material)(Random&, Scene&);
+  bool narrow;  ///< apertures from 0.3° to 20° instead of 20° to 180°
+};
+
+void metal(Random& random, Scene& scene) {
+  scene.n = random.logarithmic(0.05, 30);
+  scene.k = random.logarithmic(0.4, 90);
+}
+void glass(Random& random, Scene& scene) {
+  scene.n = 1 + random.logarithmic(0.003, 4);
+  scene.k = random.between(0, 1) < 0.5 ? 0 : random.logarithmic(1e-6, 0.1);
+}
+void rarer(Random& random, Scene& scene) {
+  scene.n = random.between(0.3, 0.999);
+  scene.k = 0;
+}
+void absorbing_rarer(Random& random, Scene& scene) {
+  scene.n = random.between(0.4, 0.995);
+  scene.k = random.logarithmic(3e-5, 0.1);
+}
+
+constexpr Kind kinds[] = {
+    {"metals", metal, false},
+    {"glasses", glass, false},
+    {"n < 1", rarer, false},
+    {"n < 1, absorbing", absorbing_rarer, false},
+    {"metals, narrow", metal, true},
+    {"glasses, narrow", glass, true},
+    {"n < 1, narrow", rarer, true},
+    {"n < 1, absorbing, narrow", absorbing_rarer, true},
+};
+
+Scene random_scene(Random& random, const Kind& kind) {
+  Scene scene{};
+  scene.aperture_deg = kind.narrow ? random.logarithmic(0.3, 20) : random.between(20, 180);
+  kind.material(random, scene);
+  scene.model = static_cast<int>(random.between(0, 3));
+  return scene;
+}
+
+Integral<double> reflectance(const Scene& scene, double tolerance) {
+  const Cavity<double> cavity(radians(scene.aperture_deg));
+  const Conductor<double> facet(scene.n, scene.k);
+  if (scene.model == 0) return bihemispherical_reflectance(cavity, facet, tolerance);
+  if (scene.model == 1) return bihemispherical_reflectance(cavity, separately_polarized(facet), tolerance);
+  return bihemispherical_reflectance(cavity, polarized(facet), tolerance);
+}
+
+struct Result {
+  Scene scene;
+  double off, estimate, tolerance;
+};
+
+struct Counts {
+  long scenes = 0, above_estimate = 0, above_tolerance = 0, promised_less = 0, unknown = 0;
+  double evaluations = 0;
+  long long most_evaluations = 0;
+};
+
+Counts trial(const Kind& kind, double tolerance, int scenes, unsigned seed, std::vector<Result>& results) {
+  Random random(seed);
+  Counts counts;
+  for (int i = 0; i < scenes; ++i) {
+    const Scene scene = random_scene(random, kind);
+    constexpr double finer = 1e-4, finest = 3e-14;
+    const Integral<double> exact = reflectance(scene, std::max(tolerance * finer, finest));
+    if (exact.error > tolerance) {
+      ++counts.unknown;
+      continue;
+    }
+    const Integral<double> integral = reflectance(scene, tolerance);
+    const double off = std::abs(integral.value - exact.value);
+    ++counts.scenes;
+    // What the finer computation does not know is no fault of the coarser one.
+    if (off > integral.error + exact.error) ++counts.above_estimate;
+    if (off > tolerance + exact.error) ++counts.above_tolerance;
+    if (integral.error > tolerance) ++counts.promised_less;
+    counts.evaluations += static_cast<double>(integral.evaluations);
+    counts.most_evaluations = std::max(counts.most_evaluations, integral.evaluations);
+    results.push_back({scene, off, integral.error, tolerance});
+  }
+  return counts;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int scenes = 50;
+  unsigned seed = 1;
+  bool worst = false;
+  CLI::App program("Tries the error estimate of the bi-hemispherical reflectance on random scenes");
+  program.add_option("--scenes", scenes, "of each kind and tolerance (default 50)")->check(CLI::PositiveNumber);
+  program.add_option("--seed", seed, "of the random numbers (default 1)");
+  program.add_flag("--worst", worst, "print the scenes that are farthest off in units of their estimate");
+  CLI11_PARSE(program, argc, argv);
+
+  std::vector<Result> results;
+  long all = 0, above_estimate = 0, above_tolerance = 0;
+  std::cout << "| material, groove | tolerance | scenes | above the estimate | above the tolerance | estimate above the "
+               "tolerance | not known finer | evaluations, mean | most |\n"
+               "|---|---|---|---|---|---|---|---|---|\n";
+  for (const Kind& kind : kinds)
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+      const Counts counts = trial(kind, tolerance, scenes, seed++, results);
+      std::cout << "| " << kind.name << " | " << tolerance << " | " << counts.scenes << " | " << counts.above_estimate
+                << " | " << counts.above_tolerance << " | " << counts.promised_less << " | " << counts.unknown
+                << " | " << std::llround(counts.evaluations / static_cast<double>(std::max(counts.scenes, 1L)))
+                << " | " << counts.most_evaluations << " |" << std::endl;
+      all += counts.scenes;
+      above_estimate += counts.above_estimate;
+      above_tolerance += counts.above_tolerance;
+    }
+  std::cout << "\n" << all << " scenes, " << above_estimate << " above the estimate, " << above_tolerance
+            << " above the tolerance\n";
+  if (!worst) return 0;
+  constexpr std::size_t shown = 10;
+  const auto first = results.begin(), last = first + static_cast<std::ptrdiff_t>(std::min(shown, results.size()));
+  std::partial_sort(first, last, results.end(), [](const Result& a, const Result& b) {
+    return a.off * b.estimate > b.off * a.estimate;
+  });
+  std::cout << "\nFarthest off:\n" << std::setprecision(17);
+  for (auto result = first; result != last; ++result)
+    std::cout << "aperture " << result->scene.aperture_deg << "°, n " << result->scene.n << ", k " << result->scene.k
+              << ", model " << result->scene.model << ", tolerance " << result->tolerance << ": off " << result->off
+              << ", estimate " << result->estimate << '\n';
+}
