@@ -34,9 +34,7 @@ class Random {
   double between(double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
   }
-  double logarithmic(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
+  double logarithmic(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
  private:
   std::mt19937_64 engine_;
@@ -66,14 +64,10 @@ void absorbing_rarer(Random& random, Scene& scene) {
 }
 
 constexpr Kind kinds[] = {
-    {"metals", metal, false},
-    {"glasses", glass, false},
-    {"n < 1", rarer, false},
-    {"n < 1, absorbing", absorbing_rarer, false},
-    {"metals, narrow", metal, true},
-    {"glasses, narrow", glass, true},
-    {"n < 1, narrow", rarer, true},
-    {"n < 1, absorbing, narrow", absorbing_rarer, true},
+    {"metals", metal, false},        {"glasses", glass, false},
+    {"n < 1", rarer, false},         {"n < 1, absorbing", absorbing_rarer, false},
+    {"metals, narrow", metal, true}, {"glasses, narrow", glass, true},
+    {"n < 1, narrow", rarer, true},  {"n < 1, absorbing, narrow", absorbing_rarer, true},
 };
 
 Scene random_scene(Random& random, const Kind& kind) {
@@ -135,38 +129,42 @@ int main(int argc, char** argv) {
   unsigned seed = 1;
   bool worst = false;
   CLI::App program("Tries the error estimate of the bi-hemispherical reflectance on random scenes");
-  program.add_option("--scenes", scenes, "of each kind and tolerance (default 50)")->check(CLI::PositiveNumber);
+  program.add_option("--scenes", scenes, "of each kind and tolerance (default 50)")
+      ->check(CLI::PositiveNumber);
   program.add_option("--seed", seed, "of the random numbers (default 1)");
   program.add_flag("--worst", worst, "print the scenes that are farthest off in units of their estimate");
   CLI11_PARSE(program, argc, argv);
 
   std::vector<Result> results;
   long all = 0, above_estimate = 0, above_tolerance = 0;
-  std::cout << "| material, groove | tolerance | scenes | above the estimate | above the tolerance | estimate above the "
+  std::cout << "| material, groove | tolerance | scenes | above the estimate | above the tolerance | "
+               "estimate above the "
                "tolerance | not known finer | evaluations, mean | most |\n"
                "|---|---|---|---|---|---|---|---|---|\n";
   for (const Kind& kind : kinds)
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
       const Counts counts = trial(kind, tolerance, scenes, seed++, results);
-      std::cout << "| " << kind.name << " | " << tolerance << " | " << counts.scenes << " | " << counts.above_estimate
-                << " | " << counts.above_tolerance << " | " << counts.promised_less << " | " << counts.unknown
-                << " | " << std::llround(counts.evaluations / static_cast<double>(std::max(counts.scenes, 1L)))
+      std::cout << "| " << kind.name << " | " << tolerance << " | " << counts.scenes << " | "
+                << counts.above_estimate << " | " << counts.above_tolerance << " | " << counts.promised_less
+                << " | " << counts.unknown << " | "
+                << std::llround(counts.evaluations / static_cast<double>(std::max(counts.scenes, 1L)))
                 << " | " << counts.most_evaluations << " |" << std::endl;
       all += counts.scenes;
       above_estimate += counts.above_estimate;
       above_tolerance += counts.above_tolerance;
     }
-  std::cout << "\n" << all << " scenes, " << above_estimate << " above the estimate, " << above_tolerance
+  std::cout << "\n"
+            << all << " scenes, " << above_estimate << " above the estimate, " << above_tolerance
             << " above the tolerance\n";
   if (!worst) return 0;
   constexpr std::size_t shown = 10;
-  const auto first = results.begin(), last = first + static_cast<std::ptrdiff_t>(std::min(shown, results.size()));
-  std::partial_sort(first, last, results.end(), [](const Result& a, const Result& b) {
-    return a.off * b.estimate > b.off * a.estimate;
-  });
+  const auto first = results.begin(),
+             last = first + static_cast<std::ptrdiff_t>(std::min(shown, results.size()));
+  std::partial_sort(first, last, results.end(),
+                    [](const Result& a, const Result& b) { return a.off * b.estimate > b.off * a.estimate; });
   std::cout << "\nFarthest off:\n" << std::setprecision(17);
   for (auto result = first; result != last; ++result)
-    std::cout << "aperture " << result->scene.aperture_deg << "°, n " << result->scene.n << ", k " << result->scene.k
-              << ", model " << result->scene.model << ", tolerance " << result->tolerance << ": off " << result->off
-              << ", estimate " << result->estimate << '\n';
+    std::cout << "aperture " << result->scene.aperture_deg << "°, n " << result->scene.n << ", k "
+              << result->scene.k << ", model " << result->scene.model << ", tolerance " << result->tolerance
+              << ": off " << result->off << ", estimate " << result->estimate << '\n';
 }

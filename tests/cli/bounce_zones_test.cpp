@@ -60,3 +60,19 @@ TEST_CASE("rays bounce as often as their zone says") {
     }
   }
 }
+
+TEST_CASE("all zones of a narrow groove are found, and they end at its kinks") {
+  // Between the kinks, multiples of α/2 = 0.01° from grazing, the numbers of bounces differ; the two ends of the lit
+  // aperture add less than a handful.
+  const Cavity<double> cavity(radians(0.02));
+  const auto zones = bounce_zones(cavity);
+  CHECK(zones.size() >= 9000);
+  CHECK(zones.size() < 9005);
+  for (std::size_t i = 1; i < zones.size(); ++i) {
+    CHECK(zones[i].low == zones[i - 1].high);
+    CHECK(zones[i].low < zones[i].high);
+  }
+  CHECK(zones.front().low == 0);
+  CHECK(zones.back().high == Catch::Approx(radians(90.0)).margin(1e-15));
+  CHECK(zones.back().most <= 2);
+}

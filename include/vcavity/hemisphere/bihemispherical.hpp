@@ -38,8 +38,8 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
     throw_invalid_argument(message.str());
   }
   detail::CavityIntegrand<Real, Facet> integrand(cavity, facet, max_bounces);
-  return detail::HemisphereQuadrature<Real, Facet, detail::CavityIntegrand<Real, Facet>>(integrand, facet)(
-      static_cast<double>(tolerance));
+  return detail::HemisphereQuadrature<Real, Facet, detail::CavityIntegrand<Real, Facet>>(
+      integrand, facet)(static_cast<double>(tolerance));
 }
 
 }  // namespace vcavity

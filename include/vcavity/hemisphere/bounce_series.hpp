@@ -136,11 +136,15 @@ struct SeriesLimits {
   int max_terms;     ///< what comes after as many bounces as this
 };
 
+/// A value that knows how many bounces it is the product of: bounces that reflect all light change it all the same.
+template <class Throughput>
+concept CountsBounces = requires(const Throughput& throughput) { throughput.bounces; };
+
 /// Σ_m T_m Π_i ρ(cos ψ cos x_i)
 /// @param sine, cosine of ψ
 template <class Real, class Facet, class Reals>
-auto sum_of_series(const BounceSeries<Real>& series, const Facet& facet, const Reals& sine, const Reals& cosine,
-                   const SeriesLimits<Real>& limits) {
+auto sum_of_series(const BounceSeries<Real>& series, const Facet& facet, const Reals& sine,
+                   const Reals& cosine, const SeriesLimits<Real>& limits) {
   using Throughput = value_t<Facet, Reals>;
   using Sum = unpolarized_t<Facet, Reals>;
   // Bounces alternate between the panels; by symmetry it does not matter on which they begin.
@@ -161,7 +165,7 @@ auto sum_of_series(const BounceSeries<Real>& series, const Facet& facet, const R
     if (m % 2 == 0 && m < series.size()) {
       const Real odd_rest = series[m - 1].rest;
       const Real left = Real(light_left(of_odd)) * odd_rest + Real(light_left(of_even)) * term.rest;
-      const bool is_total = series[m - 1].cosine_first <= total_below;
+      const bool is_total = !CountsBounces<Throughput> && series[m - 1].cosine_first <= total_below;
       if (is_total || left <= limits.negligible || m >= limits.max_terms) {
         result.value = result.value + scaled(odd_rest, light(of_odd)) + scaled(term.rest, light(of_even));
         if (!is_total) result.left_out = left;

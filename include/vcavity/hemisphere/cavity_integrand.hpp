@@ -27,7 +27,9 @@ class CavityIntegrand {
   /// @param cavity, facet must outlive the integrand
   /// @param max_bounces light that needs more is left out
   CavityIntegrand(const Cavity<Real>& cavity, const Facet& facet, int max_bounces)
-      : cavity_(&cavity), facet_(&facet), max_bounces_(max_bounces),
+      : cavity_(&cavity),
+        facet_(&facet),
+        max_bounces_(max_bounces),
         singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
                        decay_along(cavity)) {}
 
@@ -168,9 +170,12 @@ class CavityIntegrand {
     auto operator()(const AnyFacet& facet, const Reals& sine, const Reals& cosine, int max_terms) const {
       // Towards grazing light the integrand weighs little.
       const Real most = largest(cosine);
-      const Real weight = most * most * (integrand_->singularities_.variable() == AlongVariable::angle ? Real(1) : Real(8) * most);
-      return sum_of_series(series_, facet, sine, cosine,
-                           {negligible_ / at_least(weight, negligible_), integrand_->singularities_.total_below(), max_terms});
+      const Real weight =
+          most * most *
+          (integrand_->singularities_.variable() == AlongVariable::angle ? Real(1) : Real(8) * most);
+      return sum_of_series(
+          series_, facet, sine, cosine,
+          {negligible_ / at_least(weight, negligible_), integrand_->singularities_.total_below(), max_terms});
     }
 
    private:
@@ -198,14 +203,18 @@ class CavityIntegrand {
         const bool is_last = !add(term.cosine_first) & !(m > 1 && add(term.cosine_last));
         if (is_last && m > 1) break;
         constexpr int seldom = 8;
-        if (m % seldom == 0 && !descending.empty() && integrand_->light_after(series_, m, direction(descending.back().at).cosine, negligible_) < negligible_) break;
+        if (m % seldom == 0 && !descending.empty() &&
+            integrand_->light_after(series_, m, direction(descending.back().at).cosine, negligible_) <
+                negligible_)
+          break;
       }
       std::sort(descending.begin(), descending.end(),
                 [](const auto& a, const auto& b) { return a.at < b.at; });
       angles_ = descending;
       // Nearer to each other than they are sharp, one cut does for several.
       for (const auto& angle : angles_)
-        if (angle.at < end() && (cuts_.empty() || static_cast<double>(angle.at - cuts_.back().at) > 2 * facet.blur(angle)))
+        if (angle.at < end() &&
+            (cuts_.empty() || static_cast<double>(angle.at - cuts_.back().at) > 2 * facet.blur(angle)))
           cuts_.push_back(angle);
     }
 
@@ -237,7 +246,8 @@ class CavityIntegrand {
     const BounceSeries<Real> series(*cavity_, Real(0), max_bounces_);
     if (series.size() < cavity_->max_bounces() - 1) return Real(0);
     if (!(cosine < Real(1))) return width;
-    return width * (cosine * cosine * cosine / Real(3) + light_after(series, series.size() - 1, cosine, negligible));
+    return width *
+           (cosine * cosine * cosine / Real(3) + light_after(series, series.size() - 1, cosine, negligible));
   }
 
   static Real floor_of(const Real& x) {
@@ -247,7 +257,8 @@ class CavityIntegrand {
 
   /// What is left of light after m bounces, or less than is negligible.
   /// @param cosine of ψ
-  Real light_after(const BounceSeries<Real>& series, int m, const Real& cosine, const Real& negligible) const {
+  Real light_after(const BounceSeries<Real>& series, int m, const Real& cosine,
+                   const Real& negligible) const {
     using std::sqrt;
     const Real sine = sqrt(at_least(Real((Real(1) - cosine) * (Real(1) + cosine)), Real(0)));
     const auto at = [&](const Real& cos_across, const Real& sin_across, int parity) {

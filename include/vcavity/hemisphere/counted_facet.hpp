@@ -38,7 +38,8 @@ class CountedFacet : public FacetWrapper<CountedFacet, Facet> {
     requires OverDirections<Facet>
   {
     using Wide = decltype(std::declval<const Facet&>().template over_directions<directions>());
-    return CountedFacet<Wide>(Base::facet().template over_directions<directions>(), *evaluations_, directions);
+    return CountedFacet<Wide>(Base::facet().template over_directions<directions>(), *evaluations_,
+                              directions);
   }
 
  private:

@@ -75,7 +75,8 @@ class FacetSingularities {
         cosines_(singular_cosines_of(facet)) {
     if (is_cut())
       for (const std::complex<double>& cosine : cosines_)
-        if (branch_ == 0.0 || std::abs(cosine - double_of(critical_)) < std::abs(branch_ - double_of(critical_)))
+        if (branch_ == 0.0 ||
+            std::abs(cosine - double_of(critical_)) < std::abs(branch_ - double_of(critical_)))
           branch_ = cosine;
     if (branch_ == 0.0) branch_ = double_of(critical_);
     if (branch_.imag() < 0) branch_ = std::conj(branch_);
@@ -106,7 +107,8 @@ class FacetSingularities {
   /// @param angles at which to beware, in ascending order; none of them inside, unless blurred
   QuadraturePiece<Real> along(const Real& low, const Real& high,
                               const std::vector<CriticalAngle<Real>>& angles) const {
-    QuadraturePiece<Real> piece{low, high, low == Real(0) ? Symmetry::even : Symmetry::none, SineSubstitution(1)};
+    QuadraturePiece<Real> piece{low, high, low == Real(0) ? Symmetry::even : Symmetry::none,
+                                SineSubstitution(1)};
     const bool logarithmic = variable_ == AlongVariable::logarithmic;
     if (cosines_.empty() || (!is_cut() && !logarithmic && low > Real(0))) return piece;
     const bool even = low == Real(0);
@@ -115,10 +117,12 @@ class FacetSingularities {
     std::vector<std::complex<double>> singularities;
     const auto add = [&](const std::complex<double>& x) { singularities.push_back((x - middle) / half); };
     for (const std::complex<double>& cosine : cosines_) {
-      if (is_cut() && std::abs(cosine) == std::abs(branch_)) continue;  // that of each bounce counts, see below
+      if (is_cut() && std::abs(cosine) == std::abs(branch_))
+        continue;  // that of each bounce counts, see below
       const std::complex<double> at = along_of_cosine(variable_, cosine);
       // Bounces across the groove are less upright, which moves singularities towards smaller t.
-      add(logarithmic ? std::complex<double>(std::clamp(middle, 0.0, std::max(at.real(), 0.0)), at.imag()) : at);
+      add(logarithmic ? std::complex<double>(std::clamp(middle, 0.0, std::max(at.real(), 0.0)), at.imag())
+                      : at);
     }
     // Sums over ever more bounces converge as long as light loses by a bounce, Re cos ψ > 0.
     if (logarithmic) add({middle, std::numbers::pi / 2});
@@ -127,7 +131,7 @@ class FacetSingularities {
     const auto near = [&](const Real& end) {
       constexpr std::ptrdiff_t neighbours = 3;
       const auto next = std::lower_bound(angles.begin(), angles.end(), end,
-                                       [](const auto& angle, const Real& x) { return angle.at < x; });
+                                         [](const auto& angle, const Real& x) { return angle.at < x; });
       const auto first = next - std::min(neighbours, next - angles.begin());
       const auto last = next + std::min(neighbours, angles.end() - next);
       for (auto angle = first; angle != last; ++angle) {
@@ -151,8 +155,8 @@ class FacetSingularities {
       near(low);
       near(high);
     }
-    const Convergence best = ends_at_branch ? convergence_in(SineSubstitution(1), singularities)
-                                            : best_variable(singularities);
+    const Convergence best =
+        ends_at_branch ? convergence_in(SineSubstitution(1), singularities) : best_variable(singularities);
     piece.variable = best.variable;
     piece.decay = decay_;
     piece.decay.rate = std::min(best.rate, beyond);

@@ -51,16 +51,16 @@ class HemisphereQuadrature {
     double width = 0;
     auto pieces = integrand_.pieces_across(static_cast<Real>(0.05 * all));
     for (const auto& piece : pieces) width += static_cast<double>(piece.high - piece.low);
-    along_tolerance_ = 0.25 * all / width;
+    along_tolerance_ = 0.4 * all / width;
     negligible_ = static_cast<Real>(std::min(0.05 * along_tolerance_, 0.1));
     const auto result = integrate_adaptively<Real, Value>(
         std::move(pieces), 0.5 * all, {1, min_series_order, 40},
         [&](const auto& piece, const auto& rule) { return across(piece, rule); },
-        [&](const Piece& piece) { return integrand_.halves_across(piece); },
-        [&] { return is_exhausted(); });
+        [&](const Piece& piece) { return integrand_.halves_across(piece); }, [&] { return is_exhausted(); });
     const Scalar factor = static_cast<Scalar>(integrand_.norm());
     const Value value = factor * result.value;
-    const double error = norm * (result.error + result.noise + static_cast<double>(integrand_.left_uncut())) + rounding(value);
+    const double error =
+        norm * (result.error + result.noise + static_cast<double>(integrand_.left_uncut())) + rounding(value);
     return {value, static_cast<Scalar>(error <= 1 ? error : 1), evaluations_};
   }
 
@@ -156,9 +156,11 @@ class HemisphereQuadrature {
         component(sine, lane) = direction.sine;
         component(cosine, lane) = direction.cosine;
         component(weight, lane) = factor * node.weight;
-        for (std::size_t i = 0; i < Rule::terms; ++i) component(projection[i], lane) = factor * node.projection[i];
+        for (std::size_t i = 0; i < Rule::terms; ++i)
+          component(projection[i], lane) = factor * node.projection[i];
       }
-      const long long left = std::max(max_evaluations - evaluations_, 0LL) / static_cast<long long>(2 * lanes);
+      const long long left =
+          std::max(max_evaluations - evaluations_, 0LL) / static_cast<long long>(2 * lanes);
       const auto here = along(wide_facet_, sine, cosine, static_cast<int>(left));
       sum.add(here.value, weight, projection);
       for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -204,8 +206,8 @@ class HemisphereQuadrature {
   std::remove_cvref_t<decltype(wide(std::declval<const CountedFacet<Facet>&>()))> wide_facet_;
   double along_tolerance_ = 0;
   Real negligible_{0};
-  std::vector<Piece> kept_pieces_;         // of the last inner integral, where ψ is not cut
-  std::vector<std::size_t> kept_orders_;   // of the last one, from grazing, where it is
+  std::vector<Piece> kept_pieces_;        // of the last inner integral, where ψ is not cut
+  std::vector<std::size_t> kept_orders_;  // of the last one, from grazing, where it is
 };
 
 }  // namespace vcavity::detail

@@ -26,11 +26,11 @@ namespace vcavity {
 /// A part of the range of an integral, and what is known of the integrand there.
 template <class Real>
 struct QuadraturePiece {
-  Real low, high;                        ///< its ends
-  Symmetry symmetry = Symmetry::none;    ///< even: the integrand is even about `low`
-  SineSubstitution variable{};           ///< the variable of integration
-  SeriesDecay decay{};                   ///< of the Legendre series in that variable
-  std::size_t order = 0;                 ///< the first order to try; 0 for the one that the decay asks for
+  Real low, high;                      ///< its ends
+  Symmetry symmetry = Symmetry::none;  ///< even: the integrand is even about `low`
+  SineSubstitution variable{};         ///< the variable of integration
+  SeriesDecay decay{};                 ///< of the Legendre series in that variable
+  std::size_t order = 0;               ///< the first order to try; 0 for the one that the decay asks for
 };
 
 /// What a rule makes of a piece.
@@ -46,9 +46,10 @@ struct PieceEstimate {
 template <class Real, class Value>
 struct AdaptiveIntegral {
   Value value;
-  double error;                               ///< estimate, without the noise
-  double noise;                               ///< error of the values of the integrand, integrated
-  std::vector<QuadraturePiece<Real>> pieces;  ///< as they were in the end: a good start for a similar integrand
+  double error;  ///< estimate, without the noise
+  double noise;  ///< error of the values of the integrand, integrated
+  std::vector<QuadraturePiece<Real>>
+      pieces;  ///< as they were in the end: a good start for a similar integrand
 };
 
 /// The orders of the rules for a variable.
@@ -96,9 +97,10 @@ struct SeriesSum {
 /// or none if it cannot be halved
 /// @param exhausted called between rules; true ends the quadrature with what it has
 template <class Real, class Value, class Estimate, class Halves, class Exhausted>
-AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<Real>> pieces, double tolerance,
-                                                   const QuadratureOrders& orders, Estimate&& estimate,
-                                                   Halves&& halves, Exhausted&& exhausted) {
+AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<Real>> pieces,
+                                                   double tolerance, const QuadratureOrders& orders,
+                                                   Estimate&& estimate, Halves&& halves,
+                                                   Exhausted&& exhausted) {
   struct Work {
     QuadraturePiece<Real> piece;
     PieceEstimate<Value> estimate;
@@ -111,7 +113,8 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   };
   const auto done = [&](QuadraturePiece<Real> piece, double share) {
     if (piece.order == 0)
-      piece.order = orders.first(share * std::exp2(-std::min(piece.decay.multiplicity, 6)), rate_per_node(piece));
+      piece.order =
+          orders.first(share * std::exp2(4 - std::min(piece.decay.multiplicity, 6)), rate_per_node(piece));
     piece.order = std::clamp(piece.order, orders.min, orders.max);
     const SeriesRule<Real>& rule = piece.symmetry == Symmetry::even
                                        ? series_rule<Real, Symmetry::even>(piece.order)
@@ -132,7 +135,8 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
     std::pop_heap(heap.begin(), heap.end(), is_better);
     const Work worst = heap.back();
     heap.pop_back();
-    const double aim = std::max(tolerance - (error - worst.error), 0.5 * tolerance / static_cast<double>(heap.size() + 1));
+    const double aim =
+        std::max(tolerance - (error - worst.error), 0.5 * tolerance / static_cast<double>(heap.size() + 1));
     std::vector<QuadraturePiece<Real>> next;
     if (worst.piece.order < orders.max) {
       next.push_back(worst.piece);

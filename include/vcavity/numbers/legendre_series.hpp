@@ -91,7 +91,8 @@ const SeriesRule<Real>& series_rule(std::size_t order) {
 struct SeriesDecay {
   double rate = 0;       ///< from one degree to the next the terms shrink by exp(−rate) or less; 0 if unknown
   int multiplicity = 2;  ///< with a pole of order p they fall off like k^(p − 1) exp(−rate k)
-  double trust = 0.4;    ///< part of the observed rate that is believed to last; 1 if all singularities are known
+  double trust =
+      0.4;  ///< part of the observed rate that is believed to last; 1 if all singularities are known
 };
 
 /// Estimate of the error of a rule.
