@@ -115,14 +115,50 @@ TEST_CASE("flat glass has the closed-form diffuse Fresnel reflectance") {
   CHECK(std::abs(result.value - 0.091777959342351211664) < 1e-15);
 }
 
-TEST_CASE("low orders that agree by chance do not end the quadrature") {
-  // Of 2, 3 and 5 nodes between the kinks the last two agree to 5e-7, and are 1e-4 off.
-  const Dielectric<double> rarer(0.814928353);
-  const Cavity<double> flat(pi<double>());
-  const double exact = bihemispherical_reflectance(flat, rarer, 1e-12).value;
-  const auto result = bihemispherical_reflectance(flat, rarer, 1e-5);
-  CHECK(std::abs(result.value - exact) <= 1e-5);
-  CHECK(std::abs(result.value - exact) <= result.error);
+TEST_CASE("the first rules that fall short do not end the quadrature") {
+  // Total reflection begins in the middle of every range of ψ: the first orders leave 1e-7 to 1e-5, and must say so.
+  const Dielectric<double> rarer(0.7);
+  const Cavity<double> cavity(radians(60.0));
+  const double exact = bihemispherical_reflectance(cavity, rarer, 1e-12).value;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    const auto result = bihemispherical_reflectance(cavity, rarer, tolerance);
+    const double off = std::abs(result.value - exact);
+    CAPTURE(tolerance, off, result.error);
+    CHECK(off > 1e-12);  // else this tests nothing
+    CHECK(off <= result.error);
+    CHECK(result.error <= tolerance);
+  }
+}
+
+TEST_CASE("the error estimate is ten times what the series says, no more and no less") {
+  const auto result =
+      bihemispherical_reflectance(Cavity<double>(radians(60.0)), Dielectric<double>(1.5), 1e-6);
+  CHECK(result.error == Approx(2.337e-8).epsilon(0.01));
+}
+
+TEST_CASE("evaluations are the calls of the facet, one for each direction") {
+  const Conductor<double> silver(0.1249, 3.3391);
+  for (const double aperture_deg : {2.0, 60.0, 180.0}) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    long long calls = 0;
+    // Without packs, but knowing the same of its singularities.
+    struct OneByOne {
+      double operator()(double cosine) const {
+        ++*calls;
+        return (*facet)(cosine);
+      }
+      auto singular_cosines() const { return facet->singular_cosines(); }
+      const Conductor<double>* facet;
+      long long* calls;
+    };
+    const auto counted = bihemispherical_reflectance(cavity, OneByOne{&silver, &calls}, 1e-9);
+    CHECK(counted.evaluations <= calls);  // the rest finds out where kinks matter
+    CHECK(static_cast<double>(calls) <= 1.02 * static_cast<double>(counted.evaluations) + 200);
+    // Packs go on as long as one of their directions does.
+    const auto in_packs = bihemispherical_reflectance(cavity, silver, 1e-9);
+    CHECK(in_packs.evaluations >= counted.evaluations);
+    CHECK(in_packs.evaluations <= 2 * counted.evaluations);
+  }
 }
 
 TEMPLATE_LIST_TEST_CASE("grey facets obey Hottel's crossed strings", "", Reals) {
@@ -266,4 +302,56 @@ TEST_CASE("the paper's midpoint rule converges to the exact integral") {
     last = error;
   }
   CHECK(last < 1e-3);
+}
+
+TEST_CASE("grey facets obey Hottel's crossed strings in narrow grooves too") {
+  for (const double aperture_deg : {0.001, 0.01, 0.05, 0.3, 1.0, 2.0, 3.0})
+    for (const double rho : {0.05, 0.5, 0.9}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      const double alpha = cavity.aperture();
+      // W_m = [2 d(m) − d(m − 1) − d(m + 1)]/d(1), without its cancellation: 4 sin(mα/2) sin²(α/4)/sin(α/2)
+      double expected = 0, power = 1;
+      for (int m = 1; (m + 1) * alpha < pi<double>(); ++m) {
+        power *= rho;
+        expected +=
+            power * 4 * std::sin(m * alpha / 2) * std::pow(std::sin(alpha / 4), 2) / std::sin(alpha / 2);
+      }
+      const auto result = bihemispherical_reflectance(cavity, [rho](double) { return rho; }, 1e-12);
+      CAPTURE(aperture_deg, rho, result.error);
+      CHECK(std::abs(result.value - expected) <= result.error + 2 * std::pow(rho, 1 / alpha));
+      CHECK(result.error <= 1e-12);
+    }
+}
+
+TEST_CASE("narrow grooves end with an honest estimate") {
+  // What once took millions of evaluations, or printed an error of 1e37.
+  const auto check = [](double aperture_deg, const auto& facet, double tolerance, long long most) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    const auto result = bihemispherical_reflectance(cavity, facet, tolerance);
+    const double exact = bihemispherical_reflectance(cavity, facet, std::max(tolerance * 1e-3, 1e-13)).value;
+    CAPTURE(aperture_deg, tolerance, result.value, result.error, result.evaluations);
+    CHECK(result.error <= tolerance);
+    CHECK(std::abs(result.value - exact) <= result.error);
+    CHECK(result.evaluations < most);
+  };
+  const Dielectric<double> glass(1.5);
+  const Conductor<double> silver(0.1249, 3.3391);
+  check(1, glass, 1e-3, 10'000);
+  check(1.4, glass, 1e-6, 100'000);
+  check(2, glass, 1e-12, 300'000);
+  check(0.01, polarized(glass), 1e-8, 300'000);
+  check(1, polarized(silver), 1e-8, 400'000);
+  check(0.12, silver, 1e-8, 600'000);
+  check(1.5, Conductor<double>(30, 90), 1e-10, 300'000);
+  check(3, Dielectric<double>(0.987667), 1e-6, 1'000'000);
+  check(22.5, Dielectric<double>(0.7), 1e-10, 300'000);
+}
+
+TEST_CASE("an error is never above the trivial bound, and the limit of evaluations holds") {
+  // Nothing is lost in 180,000 bounces.
+  const auto result =
+      bihemispherical_reflectance(Cavity<double>(radians(0.001)), [](double) { return 1.0; }, 1e-10);
+  CHECK(result.error <= 1);
+  CHECK(std::abs(result.value - 1) <= result.error);
+  CHECK(result.evaluations < 21'000'000);
 }

@@ -6,8 +6,11 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vcavity/groove/lobes.hpp>
+#include <vector>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
@@ -106,6 +109,18 @@ void add_row(Report& report, const Row& row) {
   if (row.plan) line.add_to_json("plan", json_of(*row.plan));
 }
 
+/// Where the error of a row exceeds the tolerance, or is no number: one line for the row.
+std::vector<std::string> broken_promises(const TableOptions& options, const std::vector<Row>& rows) {
+  std::vector<std::string> lines;
+  for (const Row& row : rows)
+    if (!(row.reflectance.error <= options.tolerance) || !std::isfinite(row.reflectance.value))
+      lines.push_back(row.at.surface.material.name() + ", " + exact(row.at.wavelength_nm) + " nm, " +
+                      in_words(row.at.surface) + ": the error may reach " +
+                      with_digits(row.reflectance.error, 2) + ", more than the tolerance of " +
+                      exact(options.tolerance));
+  return lines;
+}
+
 void run_table(const TableOptions& options) {
   const std::vector<Row> rows = computed_rows(options, surfaces_at(options.surfaces, options.wavelengths_nm));
   if (options.effects.explain) {
@@ -125,6 +140,12 @@ void run_table(const TableOptions& options) {
     report.notes.push_back(plan_in_words(row));
   }
   std::cout << report.in(options.format);
+
+  std::vector<std::string> broken = broken_promises(options, rows);
+  if (broken.empty()) return;
+  std::cout.flush();
+  for (std::size_t i = 0; i + 1 < broken.size(); ++i) std::cerr << "vcavity_maps: " << broken[i] << '\n';
+  throw std::runtime_error(broken.back());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/surfaces/groove_surface.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <vcavity/vcavity.hpp>
@@ -65,7 +66,11 @@ class GrooveSurface final : public Surface {
       using Real = std::remove_cvref_t<decltype(shape.aperture())>;
       const auto integral = bihemispherical_reflectance(
           shape, facet, static_cast<Real>(plan.bounds.quadrature), plan.max_bounces);
-      return Integral<double>{static_cast<double>(integral.value), plan.bounds.total(), integral.evaluations};
+      // The plan allows the quadrature its share; it may have needed more.
+      ErrorBounds bounds = plan.bounds;
+      bounds.quadrature = std::max(bounds.quadrature, static_cast<double>(integral.error));
+      return Integral<double>{static_cast<double>(integral.value), std::min(bounds.total(), 1.0),
+                              integral.evaluations};
     };
     if constexpr (std::is_same_v<Facet, Coated<Conductor<double>>>)
       return with_effects(plan, cavity_, facet_, integrate);
