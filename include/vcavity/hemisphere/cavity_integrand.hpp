@@ -200,8 +200,9 @@ class CavityIntegrand {
       };
       for (int m = 1; m <= series_.size(); ++m) {
         const auto& term = series_[m];
-        const bool is_last = !add(term.cosine_first) & !(m > 1 && add(term.cosine_last));
-        if (is_last && m > 1) break;
+        const bool first_is_critical = add(term.cosine_first);
+        const bool last_is_critical = m > 1 && add(term.cosine_last);
+        if (!first_is_critical && !last_is_critical && m > 1) break;
         constexpr int seldom = 8;
         if (m % seldom == 0 && !descending.empty() &&
             integrand_->light_after(series_, m, direction(descending.back().at).cosine, negligible_) <
