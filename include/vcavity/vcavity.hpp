@@ -90,6 +90,7 @@
 #include "vcavity/rough/mixed_slopes.hpp"
 #include "vcavity/rough/connecting_grooves.hpp"
 #include "vcavity/rough/drawn_ray.hpp"
+#include "vcavity/rough/mean_axes.hpp"
 #include "vcavity/rough/rough_bsdf.hpp"
 #include "vcavity/rough/adaptive_gauss.hpp"
 #include "vcavity/rough/rough_albedo.hpp"

@@ -55,12 +55,12 @@ struct Azimuth {
 template <class Distribution>
 void check_energies(const Distribution& distribution, const std::vector<Azimuth>& azimuths) {
   const RoughGrooveBsdf bsdf(distribution, white);
-  for (const double theta : {0.0, 20.0, 60.0, 85.0, 89.9})
+  for (const double theta : {0.0, 60.0, 89.9})
     for (const Azimuth& azimuth : azimuths) {
       CAPTURE(theta, azimuth.angle);
       const Vec3<double> e = direction(radians(theta), 0.0);
       double below = 0;
-      for (int bounces = 1; bounces <= 5; ++bounces) {
+      for (int bounces = 1; bounces <= 4; ++bounces) {
         CAPTURE(bounces);
         const double up_to =
             detail::reflectance_of_azimuth(distribution, azimuth.u, e, white, 1e-13, bounces).value;
@@ -77,8 +77,8 @@ TEST_CASE(
     "for every azimuth the BRDF carries the light that lobes of single grooves carry, bounce by bounce") {
   // Azimuths of isotropic distributions are uniform, 2πu.
   std::vector<Azimuth> uniform;
-  for (const double u : {0.05, 0.2, 0.45}) uniform.push_back({2 * pi<double>() * u, 1 / pi<double>(), u});
-  for (const double roughness : {0.1, 0.3, 1.0}) {
+  for (const double u : {0.05, 0.2}) uniform.push_back({2 * pi<double>() * u, 1 / pi<double>(), u});
+  for (const double roughness : {0.1, 1.0}) {
     CAPTURE(roughness);
     check_energies(GgxSlopes<double>(roughness), uniform);
     check_energies(BeckmannSlopes<double>(roughness), uniform);
@@ -88,7 +88,7 @@ TEST_CASE(
 TEST_CASE("the same in brushed metal") {
   const AxialVonMises<double> brush(8.0);
   std::vector<Azimuth> azimuths;
-  for (const double u : {0.3, 0.8}) {
+  for (const double u : {0.3}) {
     const double angle = brush.quantile(u);
     const double sine = std::sin(angle);
     azimuths.push_back({pi<double>() / 2 - angle, brush.relative_density(sine * sine) / pi<double>(), u});
@@ -97,8 +97,8 @@ TEST_CASE("the same in brushed metal") {
 }
 
 TEST_CASE("white facets reflect everything") {
-  for (const double roughness : {0.1, 0.3, 0.6, 1.0})
-    for (const double theta : {0.0, 30.0, 60.0, 85.0, 89.9}) {
+  for (const double roughness : {0.1, 0.3, 1.0})
+    for (const double theta : {0.0, 60.0, 89.9}) {
       const auto albedo = [&](const auto& distribution) {
         return directional_albedo(distribution, direction(radians(theta), 0.3), white, 1e-10).value;
       };
@@ -125,17 +125,16 @@ TEST_CASE("energies by the number of bounces are those found by quadrature of th
     double roughness, theta;
     std::vector<double> ggx, beckmann;
   };
-  for (const Row& row : {Row{0.3, 60, {0.8861, 0.1007, 0.0072, 0.0025}, {0.9248, 0.0752, 0}},
-                         Row{0.6, 85, {0.9611, 0.0308, 0.0042, 0.0016}, {0.9775, 0.0224, 0.0001}},
+  for (const Row& row : {Row{0.6, 85, {0.9611, 0.0308, 0.0042, 0.0016}, {0.9775, 0.0224, 0.0001}},
                          Row{1.0, 0, {0.3750, 0.3296, 0.1290, 0.0606}, {0.4535, 0.4526, 0.0869}}}) {
     CAPTURE(row.roughness, row.theta);
     const auto check = [&](const auto& distribution, const std::vector<double>& energies) {
       double below = 0;
       for (std::size_t j = 0; j < energies.size(); ++j) {
-        const double up_to = directional_albedo(distribution, direction(radians(row.theta), 0.0), white, 2e-5,
+        const double up_to = directional_albedo(distribution, direction(radians(row.theta), 0.0), white, 5e-5,
                                                 static_cast<int>(j) + 1)
                                  .value;
-        CHECK(std::abs(up_to - below - energies[j]) < 6e-5);
+        CHECK(std::abs(up_to - below - energies[j]) < 1.2e-4);
         below = up_to;
       }
     };

@@ -3,10 +3,12 @@
 /// and weighed by bisection on traced rays.
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vcavity/facet/fresnel.hpp>
+#include <vcavity/polarization/polarization.hpp>
 #include <vcavity/rough/brushed_slopes.hpp>
 #include <vcavity/rough/rough_bsdf.hpp>
 
@@ -113,4 +115,32 @@ TEST_CASE("grooves, apertures and panels of a pair of directions agree with 40 d
     });
     CHECK(found == terms.size());
   }
+}
+
+TEST_CASE("Mueller matrices of rough surfaces agree with 30 digits") {
+  int compared = 0;
+  for (const auto& row : cases()) {
+    const auto matrices = row.find("mueller_f_cos_o_of_at_most_12");
+    if (matrices == row.end()) continue;
+    CAPTURE(row["name"].get<std::string>());
+    const Vec3<double> e = vector_of(row["e"]), o = vector_of(row["o"]);
+    with_distribution(row, [&](const auto& distribution) {
+      with_facets([&](const char* name, const auto& facet) {
+        const auto expected = matrices->find(name);
+        if constexpr (FieldReflector<std::decay_t<decltype(facet)>, double>) {
+          REQUIRE(expected != matrices->end());
+          const RoughGrooveBsdf bsdf(distribution, polarized(facet), 12);
+          const Mueller<double> found = bsdf.evaluate(e, o, Transport::importance);
+          const double scale = number((*expected)[0][0]);
+          for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j) {
+              CAPTURE(name, i, j);
+              CHECK(std::abs(found(i, j) - number((*expected)[i][j])) < tolerance * scale);
+              ++compared;
+            }
+        }
+      });
+    });
+  }
+  CHECK(compared == 8 * 2 * 16);
 }

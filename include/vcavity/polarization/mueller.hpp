@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "vcavity/numbers/compiler.hpp"
+#include "vcavity/numbers/components.hpp"
 #include "vcavity/polarization/jones.hpp"
 
 namespace vcavity {
@@ -17,6 +18,13 @@ namespace vcavity {
 /// Intensity and polarisation of light, I, Q, U, V; axes and signs are in conventions.hpp.
 template <class Value>
 using Stokes = std::array<Value, 4>;
+
+/// A turn of the axes a and b of polarised light by an angle χ, from a towards b.
+template <class Real>
+struct AxesTurn {
+  Real cos_twice;  ///< cos 2χ
+  Real sin_twice;  ///< sin 2χ
+};
 
 /// A linear map of Stokes parameters.
 template <class Value>
@@ -73,6 +81,25 @@ class Mueller {
     for (std::size_t row = 0; row < 4; ++row)
       for (std::size_t column = 0; column < 4; ++column)
         result.rows_[row][column] = (row == 2) == (column == 2) ? a(column, row) : -a(column, row);
+    return result;
+  }
+
+  /// The same matrix for other axes of the light before and after.
+  /// @param before, after from the axes of this matrix to those of the result
+  template <class Real>
+  friend Mueller in_turned_axes(const Mueller& a, const AxesTurn<Real>& before, const AxesTurn<Real>& after) {
+    Mueller turned = a;
+    for (std::size_t row = 0; row < 4; ++row) {
+      turned.rows_[row][1] = scaled(before.cos_twice, a(row, 1)) + scaled(before.sin_twice, a(row, 2));
+      turned.rows_[row][2] = scaled(before.cos_twice, a(row, 2)) - scaled(before.sin_twice, a(row, 1));
+    }
+    Mueller result = turned;
+    for (std::size_t column = 0; column < 4; ++column) {
+      result.rows_[1][column] =
+          scaled(after.cos_twice, turned(1, column)) + scaled(after.sin_twice, turned(2, column));
+      result.rows_[2][column] =
+          scaled(after.cos_twice, turned(2, column)) - scaled(after.sin_twice, turned(1, column));
+    }
     return result;
   }
 

@@ -100,7 +100,8 @@ class ConnectingGrooves {
   /// Calls `visit` with every groove of at most `max_bounces` bounces, in ascending order of these.
   template <class Visit>
   VCAVITY_INLINE void for_each(int max_bounces, Visit&& visit) const {
-    if (max_bounces >= 1 && series_[0].reaches(1)) visit(series_[0].groove(Panel::one, 1));
+    // One facet always does it, though by rounding alone where the light grazes the surface.
+    if (max_bounces >= 1) visit(series_[0].groove(Panel::one, 1));
     if (!(tilt_ > Real(0))) return;
     Real most(0);
     for (const Series& series : series_) most = at_least(series.most_bounces(), most);
@@ -113,7 +114,7 @@ class ConnectingGrooves {
   }
 
   /// BRDF × cosine of all light of more than `max_bounces` bounces, for facets that reflect all light: by the
-  /// Euler–Maclaurin formula, with a relative error of the whole BRDF of about 0.1/max_bounces² (5e-5 for 32).
+  /// Euler–Maclaurin formula, with a relative error of the whole BRDF of 3e-4 at most for 32, and seldom a fifth of that.
   /// @param steepest_density D of the facets of vertical slope, whose normal is the horizontal vector `across`
   Real density_beyond(int max_bounces, const Real& steepest_density) const {
     if (!(tilt_ > Real(0)) || !(steepest_density > Real(0))) return Real(0);

@@ -23,9 +23,11 @@
 #include <sstream>
 
 #include "vcavity/groove/cavity.hpp"
+#include "vcavity/groove/lobes.hpp"
 #include "vcavity/groove/reflectance.hpp"
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
+#include "vcavity/numbers/pack.hpp"
 #include "vcavity/rough/adaptive_gauss.hpp"
 #include "vcavity/rough/mixed_slopes.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
@@ -169,24 +171,22 @@ class ApertureKinks {
   std::size_t size_ = 0;
 };
 
-/// The mean reflectance of the grooves of one azimuth, for light from one direction.
-template <class Distribution, class Facet>
-Quadrature<unpolarized_t<Facet, scalar_t<Distribution>>> reflectance_of_azimuth(
-    const Distribution& distribution, const scalar_t<Distribution>& u_azimuth,
-    const Vec3<scalar_t<Distribution>>& e, const Facet& facet,
-    const scalar_t<unpolarized_t<Facet, scalar_t<Distribution>>>& tolerance, int max_bounces) {
+/// The mean over the grooves of one azimuth of what they make of light from one direction.
+/// @param of_groove called with a `Cavity` and the direction in its frame; has kinks where lobes have them
+template <class Value, class Distribution, class OfGroove>
+Quadrature<Value> mean_over_slopes(const Distribution& distribution, const scalar_t<Distribution>& u_azimuth,
+                                   const Vec3<scalar_t<Distribution>>& e, const scalar_t<Value>& tolerance,
+                                   const OfGroove& of_groove) {
   using Real = scalar_t<Distribution>;
-  using Value = unpolarized_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   using std::cos;
   using std::sin;
   const GroovesOfAzimuth<Distribution> grooves(distribution, u_azimuth);
   const Vec3<Real> direction = grooves.to_groove(e);
-  const auto reflectance = [&](const Real& chi) {
+  const auto integrand = [&](const Real& chi) {
     const Real weight = Real(2) * Real(sin(chi)) * Real(cos(chi));  // du/dχ
     const Cavity<Real> groove(grooves.aperture(chi));
-    return Quadrature<Value>{scaled(weight, unpolarized_reflectance(groove, direction, facet, max_bounces)),
-                             Scalar(0), 1};
+    return Quadrature<Value>{scaled(weight, of_groove(groove, direction)), Scalar(0), 1};
   };
   const ApertureKinks<Real> kinks(direction);
   const Real end = pi<Real>() / Real(2);
@@ -197,11 +197,24 @@ Quadrature<unpolarized_t<Facet, scalar_t<Distribution>>> reflectance_of_azimuth(
   for (std::size_t i = kinks.size() + 1; i-- > 0;) {
     const Real high = i > 0 ? grooves.chi(kinks[i - 1], low, end) : end;
     if (high - low < too_short) continue;
-    sum = sum + integrate<Value>(reflectance, low, high, tolerance * static_cast<Scalar>((high - low) / end),
+    sum = sum + integrate<Value>(integrand, low, high, tolerance * static_cast<Scalar>((high - low) / end),
                                  halvings);
     low = high;
   }
   return sum;
+}
+
+/// The mean reflectance of the grooves of one azimuth.
+template <class Distribution, class Facet>
+auto reflectance_of_azimuth(const Distribution& distribution, const scalar_t<Distribution>& u_azimuth,
+                            const Vec3<scalar_t<Distribution>>& e, const Facet& facet,
+                            const scalar_t<unpolarized_t<Facet, scalar_t<Distribution>>>& tolerance,
+                            int max_bounces) {
+  using Real = scalar_t<Distribution>;
+  return mean_over_slopes<unpolarized_t<Facet, Real>>(
+      distribution, u_azimuth, e, tolerance, [&](const Cavity<Real>& groove, const Vec3<Real>& direction) {
+        return unpolarized_reflectance(groove, direction, facet, max_bounces);
+      });
 }
 
 }  // namespace detail
@@ -226,6 +239,38 @@ Integral<unpolarized_t<Facet, scalar_t<Distribution>>> directional_albedo(
       distribution, tolerance,
       [&](const auto& part, const Real& u_azimuth, const scalar_t<Value>& inner_tolerance) {
         return detail::reflectance_of_azimuth(part, u_azimuth, e, facet, inner_tolerance, max_bounces);
+      });
+  return {sum.value, sum.error, sum.evaluations};
+}
+
+/// The directional albedo by the number of bounces: the part of the light of a direction that leaves after j
+/// bounces in component j − 1, and after `components` bounces or more in the last one.
+///
+/// @param distribution of the grooves
+/// @param e unit vector towards the light, e.z ≥ 0
+/// @param facet facet reflectance of numbers
+/// @param tolerance absolute error to aim at, > 0, of every component
+/// @throws std::invalid_argument when the tolerance is not a positive number
+template <std::size_t components, SlopeDistribution Distribution,
+          FacetReflectance<scalar_t<Distribution>> Facet>
+Integral<Pack<unpolarized_t<Facet, scalar_t<Distribution>>, components>> albedo_by_bounces(
+    const Distribution& distribution, const Vec3<scalar_t<Distribution>>& e, const Facet& facet,
+    const unpolarized_t<Facet, scalar_t<Distribution>>& tolerance) {
+  using Real = scalar_t<Distribution>;
+  using Value = Pack<unpolarized_t<Facet, Real>, components>;
+  detail::require_tolerance(tolerance, "albedo by the number of bounces");
+  const auto of_groove = [&](const Cavity<Real>& groove, const Vec3<Real>& direction) {
+    Value parts(0);
+    for (const auto& lobe : lobes(groove, direction, facet)) {
+      const std::size_t bounces = static_cast<std::size_t>(lobe.bounces);
+      parts[std::min(bounces, components) - 1] += lobe.weight * unpolarized(power(lobe.throughput));
+    }
+    return parts;
+  };
+  const auto sum = detail::mean_over_azimuths<Value>(
+      distribution, tolerance,
+      [&](const auto& part, const Real& u_azimuth, const scalar_t<Value>& inner_tolerance) {
+        return detail::mean_over_slopes<Value>(part, u_azimuth, e, inner_tolerance, of_groove);
       });
   return {sum.value, sum.error, sum.evaluations};
 }

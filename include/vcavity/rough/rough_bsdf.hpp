@@ -17,6 +17,9 @@
 /// Sampling draws a groove, then a ray in it. BSDF × cosine/probability is then an average of reflectances T and
 /// never exceeds 1. `evaluate_with_pdf` has both for the price of one.
 ///
+/// With `Polarized` facets values are Mueller matrices in the axes of the mean surface, see mean_axes.hpp: those of
+/// grooves would turn with the directions.
+///
 /// Range: roughness of 1e-3 and more in float. Next to the mirror direction, h → 0, the terms of two and more
 /// bounces grow like 1/|h|: they are a focus with finite energy. Sample the BSDF there, alone or combined with
 /// lights, but not small lights alone.
@@ -30,11 +33,14 @@
 #include <sstream>
 #include <utility>
 
+#include "vcavity/facet/bounce.hpp"
 #include "vcavity/groove/lobes.hpp"
+#include "vcavity/groove/narrow_groove.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/render/bsdf.hpp"
 #include "vcavity/rough/connecting_grooves.hpp"
 #include "vcavity/rough/drawn_ray.hpp"
+#include "vcavity/rough/mean_axes.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
 
 namespace vcavity {
@@ -65,11 +71,11 @@ class RoughGrooveBsdf {
   static constexpr int default_max_bounces = 32;
 
   /// Near θ_o = θ_e there is a groove for every number of bounces; no more than so many are followed.
-  static constexpr int most_bounces = 4096;
+  static constexpr int highest_limit = 4096;
 
   /// @param distribution of the grooves
   /// @param facet facet reflectance
-  /// @param max_bounces light that needs more bounces goes the way of `long_ways`; in [1, most_bounces]
+  /// @param max_bounces light that needs more bounces goes the way of `long_ways`; in [1, highest_limit]
   /// @throws std::invalid_argument when the limit is out of range
   RoughGrooveBsdf(Distribution distribution, Facet facet, int max_bounces = default_max_bounces,
                   LongWays long_ways = LongWays::lost)
@@ -77,9 +83,9 @@ class RoughGrooveBsdf {
         facet_(std::move(facet)),
         max_bounces_(max_bounces),
         long_ways_(long_ways) {
-    if (max_bounces < 1 || max_bounces > most_bounces) {
+    if (max_bounces < 1 || max_bounces > highest_limit) {
       std::ostringstream message;
-      message << "the bounce limit of a rough surface must lie in [1, " << most_bounces << "], not be "
+      message << "the bounce limit of a rough surface must lie in [1, " << highest_limit << "], not be "
               << max_bounces;
       throw_invalid_argument(message.str());
     }
@@ -111,7 +117,7 @@ class RoughGrooveBsdf {
     grooves.for_each(std::min(bounces, max_bounces_), [&](const ConnectingGroove<Real>& groove) {
       if (groove.bounces == bounces) result = result + term(grooves, groove, density(grooves, groove));
     });
-    return detail::transported(result, transport);
+    return transported(result, grooves, transport);
   }
 
   /// Density per steradian with which `sample` draws `wi`: BSDF × cosine for facets that reflect all light. 0 if
@@ -144,7 +150,7 @@ class RoughGrooveBsdf {
       result.pdf += long_ways;
       result.value = result.value + scaled(long_ways, Value(1));
     }
-    result.value = detail::transported(result.value, transport);
+    result.value = transported(result.value, grooves, transport);
     return result;
   }
 
@@ -169,7 +175,7 @@ class RoughGrooveBsdf {
       const ConnectingGrooves<Real> grooves(wo, wi);
       probability = grooves.density(drawn, distribution_.density(m));
       if (!is_density(probability)) return std::nullopt;
-      value = detail::transported(term(grooves, drawn, probability), transport);
+      value = transported(term(grooves, drawn, probability), grooves, transport);
     }
     return BsdfSample<Real, Value>{wi, scalar(Real(1) / probability) * value, probability, drawn.first_panel,
                                    drawn.bounces};
@@ -182,6 +188,11 @@ class RoughGrooveBsdf {
 
   static bool are_above_horizon(const Vec3<Real>& wo, const Vec3<Real>& wi) {
     return detail::is_above_horizon(wo) && detail::is_above_horizon(wi);
+  }
+
+  static Value transported(const Value& from_wo, const ConnectingGrooves<Real>& grooves,
+                           Transport transport) {
+    return detail::transported(Value(in_mean_axes(from_wo, grooves)), transport);
   }
 
   Real density(const ConnectingGrooves<Real>& grooves, const ConnectingGroove<Real>& groove) const {
@@ -211,12 +222,18 @@ class RoughGrooveBsdf {
     Real tangent = groove.cos_half * e.z - groove.sin_half * over_panel;
     const Real sine = Real(2) * groove.sin_half * groove.cos_half;
     const Real cosine = Real(1) - Real(2) * groove.sin_half * groove.sin_half;
-    Throughput product = facet_(at_least(normal, Real(0)));
-    for (int bounce = 2; bounce <= groove.bounces && !is_dark(product, bounce); ++bounce) {
+    Bounce<Real> bounce{at_least(normal, Real(0)), tangent, e.x, groove.first_panel, 1};
+    Throughput product = reflect(facet_, bounce);
+    while (bounce.number < groove.bounces) {
+      ++bounce.number;
+      if (is_dark(product, bounce.number)) break;
       const Real turned = cosine * normal + sine * tangent;
       tangent = cosine * tangent - sine * normal;
       normal = turned;
-      product = product * facet_(at_least(normal, Real(0)));
+      bounce.cosine = at_least(normal, Real(0));
+      bounce.tangent = tangent;
+      bounce.panel = opposite(bounce.panel);
+      product = product * reflect(facet_, bounce);
     }
     return product;
   }

@@ -167,10 +167,17 @@ Json json_of(const SurfaceRay& ray) {
   return json;
 }
 
+/// The Mueller matrix of BRDF × cosine, as `brdf_cos` and `by_bounces`.
+Reflected times(Reflected light, double factor) {
+  light.unpolarized *= factor;
+  if (light.mueller) light.mueller = factor * *light.mueller;
+  return light;
+}
+
 Json json_of(const Result& result) {
   Json json = question(result);
   json.update(totals(result));
-  add_mueller(json, result.brdf ? result.brdf->value : result.reflectance);
+  add_mueller(json, result.brdf ? times(result.brdf->value, result.cos_toward) : result.reflectance);
   for (const auto& [bounces, part] : result.by_bounces) json["by_bounces"][std::to_string(bounces)] = part;
   if (!result.brdf) json["lobes"] = Json::array();
   for (const SurfaceLobe& lobe : result.lobes) json["lobes"].push_back(json_of(lobe));

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <utility>
+#include <vcavity/rough/slope_distribution.hpp>
 
 #include "tools/commands/options.hpp"
 #include "tools/materials/catalogue.hpp"
 #include "tools/support/error.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {
@@ -39,12 +42,58 @@ std::vector<FilmLayer> films_of(const std::string& words) {
   return films;
 }
 
+constexpr Interval roughness_range{smallest_roughness, largest_roughness};
+constexpr Interval concentration_range{0, 1e6};
+
+/// Of brushed grooves, unless the user says otherwise: a standard deviation of 9 degrees.
+constexpr double default_concentration = 10;
+
+/// Roughnesses A, pairs AX:AY and ranges LOW:HIGH:STEP, separated by commas.
+std::vector<Roughness> roughnesses_of(std::string_view words) {
+  std::vector<Roughness> result;
+  for (;;) {
+    const auto end = words.find(',');
+    const std::string_view part = words.substr(0, end);
+    const auto colon = part.find(':');
+    if (std::count(part.begin(), part.end(), ':') == 1) {
+      result.push_back({{},
+                        checked_number(part.substr(0, colon), "--roughness", roughness_range),
+                        checked_number(part.substr(colon + 1), "--roughness", roughness_range)});
+    } else {
+      for (const double roughness : checked_numbers(part, "--roughness", roughness_range))
+        result.push_back({{}, roughness, roughness});
+    }
+    if (end == words.npos) return result;
+    words.remove_prefix(end + 1);
+  }
+}
+
+void check_distribution(const SurfaceOptions& options) {
+  const bool is_brushed = options.distribution == Roughness::Distribution::brushed;
+  if (!options.distribution) {
+    if (!options.roughnesses.empty())
+      throw UsageError("--roughness: of what is not said, expected --distribution as well");
+    if (options.concentration)
+      throw UsageError("--concentration: only brushed grooves have one, expected --distribution brushed");
+    return;
+  }
+  if (!options.apertures_deg.empty())
+    throw UsageError("--aperture: a distribution has grooves of all apertures, expected --roughness alone");
+  if (options.roughnesses.empty()) throw UsageError("--roughness is required with --distribution");
+  if (options.concentration && !is_brushed)
+    throw UsageError("--concentration: only brushed grooves have one, expected --distribution brushed");
+  for (const Roughness& roughness : options.roughnesses)
+    if (is_brushed && roughness.along_x != roughness.along_y)
+      throw UsageError("--roughness: slopes of brushed grooves have one roughness, expected a number");
+}
+
 void check(const SurfaceOptions& options) {
   if (options.materials.empty() && options.profiles.panels.empty())
     throw UsageError("--material is required");
   if (!options.materials.empty() && !options.profiles.panels.empty())
     throw UsageError("--panels: stands in place of --material, expected one of them");
-  if (options.apertures_deg.empty() && options.profiles.slopes_deg.empty())
+  check_distribution(options);
+  if (options.apertures_deg.empty() && options.profiles.slopes_deg.empty() && !options.distribution)
     throw UsageError("--aperture is required");
   if (!options.apertures_deg.empty() && !options.profiles.slopes_deg.empty())
     throw UsageError("--slopes: stand in place of --aperture, expected one of them");
@@ -63,6 +112,22 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
           "1e6; a list M:A,B,C or a range M:LO:HI:STEP; repeat it for more films, the top one first")
       ->type_name("M:NM")
       ->allow_extra_args(false);
+  add_choice<std::optional<Roughness::Distribution>>(
+      command, "--distribution", options.distribution,
+      {{"ggx", Roughness::Distribution::ggx},
+       {"beckmann", Roughness::Distribution::beckmann},
+       {"brushed", Roughness::Distribution::brushed}},
+      "a rough surface in place of grooves of one aperture; brushed grooves run along x");
+  command
+      .add_option_function<std::string>(
+          "--roughness",
+          [&options](const std::string& words) { options.roughnesses = roughnesses_of(words); },
+          "of a distribution, 1e-6 to 1000; AX:AY along x and along y; a list A,B,C or a range LOW:HIGH:STEP")
+      ->type_name("A|AX:AY[,...]");
+  add_number(command, "--concentration", options.concentration, concentration_range,
+             "of the azimuth of brushed grooves about x, 0 (none) to 1e6 (default " +
+                 exact(default_concentration) + ")")
+      ->type_name("K");
 }
 
 std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
@@ -80,6 +145,15 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
   for (const std::string& film : options.films)
     vary(surfaces, films_of(film),
          [](SurfaceDescription& surface, const FilmLayer& layer) { surface.films.push_back(layer); });
+  vary(surfaces, options.roughnesses, [&options](SurfaceDescription& surface, const Roughness& roughness) {
+    if (!surface.profile.is_plain())
+      throw UsageError(
+          "--distribution: has symmetric grooves of one material, expected no profile of its own");
+    surface.roughness = roughness;
+    surface.roughness->distribution = *options.distribution;
+    if (options.distribution == Roughness::Distribution::brushed)
+      surface.roughness->concentration = options.concentration.value_or(default_concentration);
+  });
   return surfaces;
 }
 

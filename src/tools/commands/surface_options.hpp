@@ -5,6 +5,7 @@
 /// may be a list; every combination of their values is a surface.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct SurfaceOptions {
   std::vector<double> apertures_deg;
   std::vector<std::string> films;  ///< M:NM each, the top one first
   ProfileOptions profiles;
+  std::optional<Roughness::Distribution> distribution;
+  std::vector<Roughness> roughnesses;  ///< along x and along y; the rest is in the other two options
+  std::optional<double> concentration;
 };
 
 /// Adds --material, --aperture and all others of `SurfaceOptions`.

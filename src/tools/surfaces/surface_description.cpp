@@ -11,8 +11,13 @@
 namespace vcavity::tools {
 
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
-  nlohmann::ordered_json fields{{"material", material_of(surface)}, {"aperture_deg", surface.aperture_deg}};
-  fields.update(fields_of(surface.profile));
+  nlohmann::ordered_json fields{{"material", material_of(surface)}};
+  if (surface.roughness) {
+    fields.update(fields_of(*surface.roughness));
+  } else {
+    fields["aperture_deg"] = surface.aperture_deg;
+    fields.update(fields_of(surface.profile));
+  }
   for (const FilmLayer& film : surface.films)
     fields["films"].push_back({{"material", film.material.name()}, {"thickness_nm", film.thickness_nm}});
   return fields;
@@ -28,14 +33,18 @@ std::string grooves_in_words(const SurfaceDescription& surface) {
 }
 
 std::string in_words(const SurfaceDescription& surface) {
-  const std::string words = in_words(surface.profile, surface.aperture_deg);
-  return surface.films.empty() ? words : words + ", under " + in_words(surface.films);
+  std::string words =
+      surface.roughness ? in_words(*surface.roughness) : in_words(surface.profile, surface.aperture_deg);
+  if (!surface.films.empty()) words.append(", under ").append(in_words(surface.films));
+  return words;
 }
 
 std::string file_stem(const SurfaceDescription& surface) {
   std::string material = material_of(surface);
   std::replace(material.begin(), material.end(), '/', '-');
-  return material + "_" + file_stem(surface.profile, surface.aperture_deg) + file_stem(surface.films);
+  const std::string shape =
+      surface.roughness ? file_stem(*surface.roughness) : file_stem(surface.profile, surface.aperture_deg);
+  return material + "_" + shape + file_stem(surface.films);
 }
 
 std::vector<Material> materials_of(const SurfaceDescription& surface) {
@@ -46,12 +55,13 @@ std::vector<Material> materials_of(const SurfaceDescription& surface) {
 }
 
 bool is_bare_symmetric_groove(const SurfaceDescription& surface) {
-  return surface.profile.is_plain() && !has_films(surface.films);
+  return surface.profile.is_plain() && !has_films(surface.films) && !surface.roughness;
 }
 
 std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,
                                             const LightModel& light) {
   if (!surface.profile.is_plain()) return make_profile_surface(surface, wavelength_nm, light);
+  if (surface.roughness) return make_rough_surface(surface, wavelength_nm, light);
   return make_groove_surface(surface, wavelength_nm, light);
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "tools/materials/material.hpp"
 #include "tools/surfaces/films.hpp"
 #include "tools/surfaces/profile_description.hpp"
+#include "tools/surfaces/rough_surface.hpp"
 #include "tools/surfaces/surface.hpp"
 
 namespace vcavity::tools {
@@ -23,6 +25,7 @@ struct SurfaceDescription {
   double aperture_deg;                ///< angle between the panels in degrees, [0, 180]; 0 over a floor alone
   std::vector<FilmLayer> films = {};  ///< on every facet, the top one first
   ProfileDescription profile = {};    ///< where the groove is not symmetric and of one material
+  std::optional<Roughness> roughness = std::nullopt;  ///< a distribution of grooves, in place of one aperture
 };
 
 /// How light is followed.

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/surfaces/rough_surface.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
+#include <vcavity/vcavity.hpp>
+
+#include "tools/support/text_table.hpp"
+#include "tools/surfaces/surface_description.hpp"
+
+namespace vcavity::tools {
+namespace {
+
+/// Absolute error of directional albedos, which are integrals. Smaller than what a table for people shows.
+constexpr double albedo_tolerance = 1e-6;
+
+/// The bi-hemispherical reflectance of narrow grooves is not known better.
+constexpr double least_tolerance = 1e-9;
+
+/// The distribution of the command line: one type, so that the physics is compiled once for all.
+class ChosenSlopes {
+ public:
+  using value_type = double;
+
+  explicit ChosenSlopes(const Roughness& roughness) : slopes_(made(roughness)) {}
+
+  double density(const Vec3<double>& m) const {
+    return std::visit([&m](const auto& slopes) { return slopes.density(m); }, slopes_);
+  }
+  Vec3<double> sample(const Vec2<double>& u) const {
+    return std::visit([&u](const auto& slopes) { return slopes.sample(u); }, slopes_);
+  }
+
+ private:
+  using Slopes =
+      std::variant<GgxSlopes<double>, BeckmannSlopes<double>, BrushedSlopes<BeckmannSlopes<double>>>;
+
+  static Slopes made(const Roughness& roughness) {
+    switch (roughness.distribution) {
+      case Roughness::Distribution::ggx:
+        return GgxSlopes<double>(roughness.along_x, roughness.along_y);
+      case Roughness::Distribution::beckmann:
+        return BeckmannSlopes<double>(roughness.along_x, roughness.along_y);
+      default:
+        return BrushedSlopes(BeckmannSlopes<double>(roughness.along_x), roughness.concentration);
+    }
+  }
+
+  Slopes slopes_;
+};
+
+/// @tparam Model facet reflectance in a model of polarisation
+template <class Model>
+class RoughSurface final : public Surface {
+ public:
+  RoughSurface(const Roughness& roughness, const RefractiveIndex& index, Model model, int max_bounces)
+      : bsdf_(ChosenSlopes(roughness), std::move(model), std::min(max_bounces, Bsdf::highest_limit)),
+        index_(index),
+        max_bounces_(max_bounces) {}
+
+  std::optional<RefractiveIndex> index() const override { return index_; }
+
+  Reflected reflectance(const Vec3<double>& e) const override {
+    return {directional_albedo(bsdf_.distribution(), e, bsdf_.facet(), albedo_tolerance, max_bounces_).value,
+            std::nullopt, std::nullopt};
+  }
+
+  std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
+    // At grazing angles the BRDF has a limit, which a small height comes close to.
+    const Vec3<double> o{toward.x, toward.y, std::max(toward.z, least_height)};
+    const double inverse = 1 / o.z;
+    SurfaceBrdf result{reflected(inverse * bsdf_.evaluate(e, o, Transport::importance)), 0, {}};
+    for (int bounces = 1; bounces <= std::min(bsdf_.max_bounces(), listed_bounces); ++bounces) {
+      const double part = inverse * unpolarized(bsdf_.evaluate_bounces(e, o, bounces, Transport::importance));
+      if (part > 0) result.by_bounces[bounces] = part;
+    }
+    return result;
+  }
+
+  std::map<int, double> by_bounces(const Vec3<double>& e) const override {
+    const auto parts =
+        albedo_by_bounces<listed_bounces + 1>(bsdf_.distribution(), e, bsdf_.facet(), albedo_tolerance);
+    std::map<int, double> result;
+    for (int bounces = 1; bounces <= std::min(max_bounces_, listed_bounces); ++bounces)
+      result[bounces] = parts.value[static_cast<std::size_t>(bounces - 1)];
+    return result;
+  }
+
+  Integral<double> bihemispherical(double tolerance) const override {
+    return bihemispherical_reflectance(bsdf_.distribution(), bsdf_.facet(),
+                                       std::max(tolerance, least_tolerance), max_bounces_);
+  }
+
+ private:
+  using Bsdf = RoughGrooveBsdf<ChosenSlopes, Model>;
+  static constexpr int listed_bounces = 15;
+  static constexpr double least_height = 1e-100;
+
+  Bsdf bsdf_;
+  RefractiveIndex index_;
+  int max_bounces_;
+};
+
+const char* name_of(Roughness::Distribution distribution) {
+  switch (distribution) {
+    case Roughness::Distribution::ggx:
+      return "ggx";
+    case Roughness::Distribution::beckmann:
+      return "beckmann";
+    default:
+      return "brushed";
+  }
+}
+
+}  // namespace
+
+nlohmann::ordered_json fields_of(const Roughness& roughness) {
+  nlohmann::ordered_json fields{{"distribution", name_of(roughness.distribution)}};
+  if (roughness.along_x == roughness.along_y)
+    fields["roughness"] = roughness.along_x;
+  else
+    fields.update({{"roughness_x", roughness.along_x}, {"roughness_y", roughness.along_y}});
+  if (roughness.distribution == Roughness::Distribution::brushed)
+    fields["concentration"] = roughness.concentration;
+  return fields;
+}
+
+std::string in_words(const Roughness& roughness) {
+  std::string words = name_of(roughness.distribution);
+  words.append(", roughness ").append(exact(roughness.along_x));
+  if (roughness.along_x != roughness.along_y)
+    words.append(" along x and ").append(exact(roughness.along_y)).append(" along y");
+  if (roughness.distribution == Roughness::Distribution::brushed)
+    words.append(", concentration ").append(exact(roughness.concentration));
+  return words;
+}
+
+std::string file_stem(const Roughness& roughness) {
+  std::string stem = name_of(roughness.distribution);
+  stem.append("-").append(exact(roughness.along_x));
+  if (roughness.along_x != roughness.along_y) stem.append("-").append(exact(roughness.along_y));
+  if (roughness.distribution == Roughness::Distribution::brushed)
+    stem.append("-").append(exact(roughness.concentration));
+  return stem;
+}
+
+std::unique_ptr<const Surface> make_rough_surface(const SurfaceDescription& surface, double wavelength_nm,
+                                                  const LightModel& light) {
+  const RefractiveIndex index = surface.material.at(wavelength_nm);
+  return with_facet(index, surface.films, wavelength_nm, [&](const auto& facet) {
+    return with_polarization(
+        light.polarization, facet, [&](const auto& model) -> std::unique_ptr<const Surface> {
+          using Rough = RoughSurface<std::decay_t<decltype(model)>>;
+          return std::make_unique<Rough>(*surface.roughness, index, model, light.max_bounces);
+        });
+  });
+}
+
+}  // namespace vcavity::tools
