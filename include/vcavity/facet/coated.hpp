@@ -126,8 +126,8 @@ struct MediumWave : RefractedWave<Value> {
     // (q − c n²)/n², or where q and c n² are close to each other the same from the contrast.
     const Complex<Value> bracket{s2 * medium.inverse.re - c * c, s2 * medium.inverse.im};
     const Complex<Value> near = medium.contrast * bracket / sum_p, far = difference * medium.inverse;
-    const Value is_far = Real(4) * norm(difference) - norm(q) - norm(cn2);
-    excess_p = {select_nonnegative(is_far, far.re, near.re), select_nonnegative(is_far, far.im, near.im)};
+    const mask_t<Value> is_far = Value(Real(4) * norm(difference) - norm(q) - norm(cn2)) >= Real(0);
+    excess_p = {select(is_far, far.re, near.re), select(is_far, far.im, near.im)};
   }
 
   Complex<Value> sum_s, sum_p;        ///< X + c for s, (X + c) n² for p light
@@ -164,12 +164,12 @@ struct StackedWave {
   /// Adds to the flux what the next film absorbs.
   /// @param absorbed ≥ 0
   /// @param decay Re w ≤ 0
-  /// @param transparent not negative where the film does not absorb
-  void add_flux(const Value& absorbed, const Value& decay, const Value& transparent) {
+  /// @param transparent set where the film does not absorb
+  void add_flux(const Value& absorbed, const Value& decay, const mask_t<Value>& transparent) {
     depth = depth + decay;
     const Value here = flux * exponential(depth) + absorbed;
-    flux = select_nonnegative(transparent, flux, here);
-    depth = select_nonnegative(transparent, depth, Value(0));
+    flux = select(transparent, flux, here);
+    depth = select(transparent, depth, Value(0));
   }
 
   /// u + 2cB
@@ -190,7 +190,7 @@ struct StackedWave {
     constexpr int doublings = std::numeric_limits<Real>::max_exponent / 4;
     const Real large = ldexp(Real(1), 2 * doublings);
     const Value factor(ldexp(Real(1), -doublings));
-    const Value scale = select_nonnegative(Value(Value(large) - norm(u) - norm(b)), Value(1), factor);
+    const Value scale = select(Value(large) - norm(u) - norm(b) >= Real(0), Value(1), factor);
     u = scale * u;
     b = scale * b;
     flux = scale * scale * flux;
@@ -235,9 +235,9 @@ struct FilmPassage {
   VCAVITY_INLINE Complex<Value> divided_by_w(const Complex<Value>& x, const Value& limit) const {
     const Value w_norm = norm(w);
     const Real smallest = smallest_cosine<Real>() * smallest_cosine<Real>();
-    const Value is_small = Value(smallest) - w_norm;
+    const mask_t<Value> is_small = Value(smallest) >= w_norm;
     const Complex<Value> ratio = Value(Value(1) / at_least(w_norm, smallest)) * (x * conj(w));
-    return {select_nonnegative(is_small, limit, ratio.re), select_nonnegative(is_small, Value(0), ratio.im)};
+    return {select(is_small, limit, ratio.re), select(is_small, Value(0), ratio.im)};
   }
 
   Value turn;
@@ -259,7 +259,7 @@ struct FilmMeans {
     const Value one(1), decay = -film.w.re, phase = film.w.im, left = one + film.lost;
     const auto over = [](const Value& x, const Value& y, const Value& limit) {
       const Real smallest = smallest_cosine<Real>();
-      return select_nonnegative(Value(Value(smallest) - y), limit, Value(x / at_least(y, smallest)));
+      return select(Value(smallest) >= y, limit, Value(x / at_least(y, smallest)));
     };
     // e^{−A} sinh A/A, e^{−A} sin P/P, and with 1 − cos P and 1 − cosh A in place of the sines.
     const Value sinh_mean = over(Value(Real(-0.5) * (film.lost * (one + left))), decay, one);
@@ -282,7 +282,7 @@ struct FilmMeans {
     }
     const Value w_norm = norm(film.w);
     const Value by_difference = (sinh_mean - sin_mean) / at_least(w_norm, Real(1));
-    sines = select_nonnegative(Value(one - w_norm), Value(left * series), by_difference);
+    sines = select(one >= w_norm, Value(left * series), by_difference);
   }
 
   Value cosines;
@@ -377,7 +377,7 @@ class Film {
         mean_square(u_p, medium_.inverse * wave.w * waves.p.b, means.cosines, sines, means.products);
     const Value across =
         mean_square(waves.p.b, medium_.squared_index * u_p, means.cosines, sines_q, products_q);
-    const Value transparent = -medium_.contrast.im;
+    const mask_t<Value> transparent = Value(-medium_.contrast.im) >= Real(0);
     waves.s.add_flux(strength * at_least(s, Real(0)), film.w.re, transparent);
     waves.p.add_flux(strength * at_least(Value(along + wave.s2 * norm(medium_.inverse) * across), Real(0)),
                      film.w.re, transparent);

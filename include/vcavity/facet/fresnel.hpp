@@ -48,9 +48,9 @@ VCAVITY_INLINE Amplitudes<Value> fresnel_amplitudes(const Value& permittivity, c
   // it is −(|m|² + 2c² Re m)/(c² + |w|²).
   const Value c2 = wave.c * wave.c;
   const Value far = wave.w_norm - Real(2) * c2;  // not negative where nothing cancels
-  const Value numerator = select_nonnegative(
-      far, Value(c2 - wave.w_norm), Value(Real(-1) * (norm(contrast) + Real(2) * (c2 * contrast.re))));
-  const Value denominator = select_nonnegative(far, Value(1), Value(c2 + wave.w_norm));
+  const Value numerator = select(far >= Real(0), Value(c2 - wave.w_norm),
+                                 Value(Real(-1) * (norm(contrast) + Real(2) * (c2 * contrast.re))));
+  const Value denominator = select(far >= Real(0), Value(1), Value(c2 + wave.w_norm));
   const Value inverse = Value(1) / (denominator * wave.sum_norm());
   const Complex<Value> r_s{numerator * inverse, Real(-2) * (wave.c * wave.w.im * (denominator * inverse))};
   const Complex<Value> cw = wave.c * wave.w;
@@ -218,7 +218,7 @@ class Dielectric : public detail::FresnelInterface<Dielectric<Value>, Value, Val
     const Value r_s = wave.difference(contrast_) / wave.sum_norm();
     const Value ratio = (wave.cw - wave.s2) / (wave.cw + wave.s2);
     const Value reflectance = Real(0.5) * (r_s * r_s * (Value(1) + ratio * ratio));
-    return select_nonnegative(wave.w2, at_most(reflectance, Real(1)), Value(1));
+    return select(wave.w2 >= Real(0), at_most(reflectance, Real(1)), Value(1));
   }
 
   /// What is refracted into the medium of s and of p light, to full relative precision.
@@ -230,7 +230,7 @@ class Dielectric : public detail::FresnelInterface<Dielectric<Value>, Value, Val
     const Value s = Real(4) * wave.cw / wave.sum_norm();
     const Value ratio = (wave.w * wave.w + wave.s2) / (parallel_sum * parallel_sum);
     const auto refracted = [&wave](const Value& part) {
-      return select_nonnegative(wave.w2, at_most(part, Real(1)), Value(0));
+      return select(wave.w2 >= Real(0), at_most(part, Real(1)), Value(0));
     };
     return {refracted(s), refracted(Value(s * ratio))};
   }

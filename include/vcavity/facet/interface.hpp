@@ -116,7 +116,7 @@ struct Incidence {
     if constexpr (Number<Cosine>) {
       return c2 < s2 ? Value(contrast + Value(c2)) : Value(permittivity - Value(s2));
     } else {
-      return select_positive(Value(s2 - c2), Value(contrast + c2), Value(permittivity - s2));
+      return select(s2 > c2, Value(contrast + c2), Value(permittivity - s2));
     }
   }
 
@@ -174,7 +174,7 @@ struct TransparentWave : Refraction<Value> {
 
   /// (w − c)(w + c), which is m; that is less exact where c and w are of unlike size.
   VCAVITY_INLINE Value difference(const Value& contrast) const {
-    return select_nonnegative(Value(w - Real(2) * c), Value((w - c) * (w + c)), contrast);
+    return select(w >= Real(2) * c, Value((w - c) * (w + c)), contrast);
   }
 
   /// (c + w)²
@@ -201,10 +201,10 @@ struct RefractedWave : Refraction<Value> {
     w_norm = sqrt(norm(Complex<Value>{w2, contrast.im}));
     // The larger part of w comes from a sum, the smaller one from the product 2 Re w Im w = Im w²: no
     // cancellation.
-    const Value larger = sqrt(Real(0.5) * (w_norm + select_nonnegative(w2, w2, Value(-w2))));
+    const Value larger = sqrt(Real(0.5) * (w_norm + select(w2 >= Real(0), w2, Value(-w2))));
     const Value smaller = Real(0.5) * contrast.im / at_least(larger, std::numeric_limits<Real>::min());
-    w.re = select_nonnegative(w2, larger, smaller);
-    w.im = select_nonnegative(w2, smaller, larger);
+    w.re = select(w2 >= Real(0), larger, smaller);
+    w.im = select(w2 >= Real(0), smaller, larger);
   }
 
   /// |c + w|²
@@ -215,8 +215,7 @@ struct RefractedWave : Refraction<Value> {
     const Value c2 = c * c;
     const Value real = c2 - w_norm;
     const Value imaginary = Real(2) * (c * w.im);
-    return select_nonnegative(Value(w_norm - Real(3) * c2), Value(real * real + imaginary * imaginary),
-                              contrast_norm);
+    return select(w_norm >= Real(3) * c2, Value(real * real + imaginary * imaginary), contrast_norm);
   }
 
   /// |c w + s²|²
@@ -255,7 +254,7 @@ Value critical_cosine(const Value& contrast) {
   using Real = scalar_t<Value>;
   using std::sqrt;
   const Value c2 = at_least(Value(-contrast), Real(0));
-  return select_nonnegative(Value(Value(1) - c2), sqrt(c2), Value(0));
+  return select(Value(1) >= c2, sqrt(c2), Value(0));
 }
 
 }  // namespace detail

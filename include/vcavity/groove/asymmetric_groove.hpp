@@ -157,22 +157,22 @@ class AsymmetricOpening {
     const Real across = cavity.cos_half() * tilted_.y;
     const Real one = groove.length(Panel::one) * (up + across) * inverse_width_;
     const Real two = groove.length(Panel::two) * (up - across) * inverse_width_;
-    one_is_larger_ = one - two;
-    const Real smaller = select_positive(one_is_larger_, two, one);
-    both_ = smaller - Real(negligible_fraction<Scalar>());
-    smaller_share_ = select_positive(both_, smaller, Real(0));
+    one_is_larger_ = one > two;
+    const Real smaller = select(one_is_larger_, two, one);
+    both_ = smaller > negligible_fraction<Scalar>();
+    smaller_share_ = select(both_, smaller, Real(0));
   }
 
   /// The direction towards the light.
   const Vec3<Real>& direction() const { return e_; }
 
   /// How many panels there are that some rays may meet first.
-  int first_panels() const { return any_positive(both_) || !Number<Real> ? 2 : 1; }
+  int first_panels() const { return any_of(both_) || !Number<Real> ? 2 : 1; }
 
   /// A panel that some rays may meet first.
   /// @param which of them, below `first_panels()`
   Panel first_panel(int which) const {
-    const Panel larger = any_positive(one_is_larger_) ? Panel::one : Panel::two;
+    const Panel larger = any_of(one_is_larger_) ? Panel::one : Panel::two;
     return which == 0 ? larger : opposite(larger);
   }
 
@@ -185,16 +185,16 @@ class AsymmetricOpening {
     /// f_j, where j is the bounce at which the ray is, at least 2.
     /// @param before f_{j−1}, which f_j never exceeds
     VCAVITY_INLINE Real at(const UnfoldedRay<Real>& ray, const Real& before) const {
-      const Real share = select_positive(opening_.both_,
-                                         Real(length(ray) * ray.normal_component() * opening_.inverse_width_),
-                                         beyond_shadow(ray));
-      return select_positive(ray.normal_component(), at_least(at_most(share, before), Scalar(0)), Real(0));
+      const Real share =
+          select(opening_.both_, Real(length(ray) * ray.normal_component() * opening_.inverse_width_),
+                 beyond_shadow(ray));
+      return select(ray.normal_component() > Scalar(0), at_least(at_most(share, before), Scalar(0)), Real(0));
     }
 
     /// Whether all rays that meet this panel first surely bounce at an image too, at the cost of a comparison:
     /// its rim lies farther out, by more than rounding.
     bool all_reach(const UnfoldedRay<Real>& ray) const {
-      return all_positive(Real(length(ray) * ray.normal_component() - surely_reached_));
+      return all_of(Real(length(ray) * ray.normal_component()) > surely_reached_);
     }
 
     /// How often all of these rays surely bounce, as if all images were as short as the shorter panel.
@@ -221,9 +221,8 @@ class AsymmetricOpening {
           surely_reached_(length(first) * (first.normal_component() +
                                            Real(Scalar(16) * std::numeric_limits<Scalar>::epsilon()))) {
       const Real rest = Real(1) - opening.smaller_share_;
-      first_ = first.panel() == Panel::one
-                   ? select_positive(opening.one_is_larger_, rest, opening.smaller_share_)
-                   : select_positive(opening.one_is_larger_, opening.smaller_share_, rest);
+      first_ = first.panel() == Panel::one ? select(opening.one_is_larger_, rest, opening.smaller_share_)
+                                           : select(opening.one_is_larger_, opening.smaller_share_, rest);
     }
 
     const Scalar& length(const UnfoldedRay<Real>& ray) const { return opening_.groove_.length(ray.panel()); }
@@ -258,11 +257,11 @@ class AsymmetricOpening {
 
   const AsymmetricGroove<Scalar>& groove_;
   Vec3<Real> e_;
-  Vec3<Real> tilted_;   // in the frame of the bisector
-  Real inverse_width_;  // of the opening as the light sees it, 1/(W e_z)
-  Real one_is_larger_;  // positive where more rays meet panel one first
-  Real both_;           // positive where light reaches both panels directly
-  Real smaller_share_;  // fraction of the opening whose rays meet the less lit panel first
+  Vec3<Real> tilted_;           // in the frame of the bisector
+  Real inverse_width_;          // of the opening as the light sees it, 1/(W e_z)
+  mask_t<Real> one_is_larger_;  // set where more rays meet panel one first
+  mask_t<Real> both_;           // set where light reaches both panels directly
+  Real smaller_share_;          // fraction of the opening whose rays meet the less lit panel first
 };
 
 /// The opening of an asymmetric groove in the light of a direction.

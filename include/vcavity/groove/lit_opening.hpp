@@ -49,10 +49,10 @@ class LitOpening {
         inverse_width_((Scalar(0.5) * cavity.inverse_sin_half()) * inverse_e_z_) {
     const Real other_normal = cavity.sin_half() * e_.z - cavity.cos_half() * magnitude(e_.y);
     const Real share = other_normal * inverse_width_;
-    both_ = share - Real(negligible_fraction<Scalar>());
-    other_share_ = select_positive(both_, share, Real(0));
-    any_both_ = any_positive(both_);
-    all_both_ = all_positive(both_);
+    both_ = share > negligible_fraction<Scalar>();
+    other_share_ = select(both_, share, Real(0));
+    any_both_ = any_of(both_);
+    all_both_ = all_of(both_);
   }
 
   /// The direction towards the light.
@@ -87,13 +87,13 @@ class LitOpening {
         if (!opening_.any_both_) return on_one;
       }
       const Real share = ray.normal_component() * opening_.inverse_width_;
-      return select_positive(opening_.both_, at_least(at_most(share, before), Scalar(0)), on_one);
+      return select(opening_.both_, at_least(at_most(share, before), Scalar(0)), on_one);
     }
 
     /// Whether all rays that meet this panel first surely bounce at an image too, at the cost of a comparison:
     /// c_j > c_1, by more than rounding, which is up to 8 ε in each (docs/accuracy.md).
     bool all_reach(const UnfoldedRay<Real>& ray) const {
-      return all_positive(Real(ray.normal_component() - surely_reached_));
+      return all_of(ray.normal_component() > surely_reached_);
     }
 
     /// How often all of these rays surely bounce: until the angle has passed a right one and is as far beyond
@@ -130,7 +130,7 @@ class LitOpening {
   Vec3<Real> e_;
   Real inverse_e_z_;
   Real inverse_width_;  // of the opening as the light sees it, 1/(2 e_z sin(α/2))
-  Real both_;           // positive where light reaches both panels directly
+  mask_t<Real> both_;   // set where light reaches both panels directly
   Real other_share_;  // fraction of the opening whose rays meet the panel first that does not face the light
   bool any_both_;
   bool all_both_;

@@ -135,7 +135,7 @@ template <class Groove, class Real, FacetReflectance<Real> Facet, class Visit>
 VCAVITY_INLINE void for_each_lobe(const Groove& groove, const Vec3<Real>& towards_light, const Facet& facet,
                                   Visit&& visit, const Follow& follow = {}) {
   using Value = value_t<Facet, Real>;
-  assert(!any_positive(Real(-towards_light.z)));
+  assert(!any_of(towards_light.z < scalar_t<Real>(0)));
   const int most = std::min(follow.max_bounces, groove.max_bounces());
   if (most < 1) return;
   const auto negligible = negligible_fraction<scalar_t<Real>>();
@@ -148,7 +148,7 @@ VCAVITY_INLINE void for_each_lobe(const Groove& groove, const Vec3<Real>& toward
     UnfoldedRay<Real> ray = unfold(groove, opening.direction(), first);
     const auto fractions = opening.reached(ray);
     Real reached = fractions.first();
-    if (!any_positive(reached)) continue;
+    if (!any_of(reached > scalar_t<Real>(0))) continue;
 
     Value throughput(1);
     if (most >= narrow_groove) {
@@ -173,10 +173,10 @@ VCAVITY_INLINE void for_each_lobe(const Groove& groove, const Vec3<Real>& toward
 
       // What reaches the next bounce; the rest leaves.
       Real next = last.number() < groove.max_bounces() ? fractions.at(ray, reached) : Real(0);
-      next = select_nonnegative(Real(next - Real(negligible)), next, Real(0));
-      next = select_nonnegative(Real(reached - next - Real(negligible)), next, reached);
+      next = select(next >= negligible, next, Real(0));
+      next = select(Real(reached - next) >= negligible, next, reached);
       visit(last, Real(reached - next), throughput);
-      if (last.number() >= most || !any_positive(next)) break;
+      if (last.number() >= most || !any_of(next > scalar_t<Real>(0))) break;
       reached = next;
     }
   }

@@ -23,7 +23,7 @@ VCAVITY_INLINE Sum sum_over_lobes(const Groove& groove, const Vec3<Real>& e, con
   Sum sum(0);
   for_each_lobe(groove, e, facet,
                 [&](const UnfoldedRay<Real>&, const Real& weight, const Value& throughput) {
-                  if (cheaper_than_branch<Value> || any_positive(weight))
+                  if (cheaper_than_branch<Value> || any_of(weight > scalar_t<Real>(0)))
                     sum = sum + scaled(weight, measure(throughput));
                 },
                 {follow.max_bounces, DarkLight::merged, follow.first_panel});

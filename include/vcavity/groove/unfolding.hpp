@@ -33,7 +33,7 @@ Panel facing_panel(const Vec3<Real>& e) {
 /// @param e directions towards the light, all with e.y ≥ 0; mirror the others
 template <class Real>
 Panel facing_panel([[maybe_unused]] const Vec3<Real>& e) {
-  assert(!any_positive(-e.y));
+  assert(!any_of(e.y < scalar_t<Real>(0)));
   return Panel::one;
 }
 

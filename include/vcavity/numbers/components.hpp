@@ -9,6 +9,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "vcavity/numbers/number.hpp"
 
@@ -33,35 +34,52 @@ Real largest(const glm::vec<length, Real>& a) {
   return result;
 }
 
-/// Component by component, `a` where x ≥ 0 and `b` elsewhere.
-template <Number Real>
-Real select_nonnegative(const Real& x, const Real& a, const Real& b) {
-  return x >= Real(0) ? a : b;
+// Comparisons make masks: a bool of numbers, and of a `glm::vec`, which has no such operators itself, one bool for
+// each component.
+
+template <glm::length_t length, class Real>
+glm::vec<length, bool> operator>=(const glm::vec<length, Real>& a, const glm::vec<length, Real>& b) {
+  return glm::greaterThanEqual(a, b);
+}
+template <glm::length_t length, class Real>
+glm::vec<length, bool> operator>=(const glm::vec<length, Real>& a, const Real& b) {
+  return glm::greaterThanEqual(a, glm::vec<length, Real>(b));
+}
+template <glm::length_t length, class Real>
+glm::vec<length, bool> operator>(const glm::vec<length, Real>& a, const glm::vec<length, Real>& b) {
+  return glm::greaterThan(a, b);
+}
+template <glm::length_t length, class Real>
+glm::vec<length, bool> operator>(const glm::vec<length, Real>& a, const Real& b) {
+  return glm::greaterThan(a, glm::vec<length, Real>(b));
+}
+
+/// Component by component, `a` where a mask is set and `b` elsewhere.
+/// @param mask of a comparison
+template <class Value>
+Value select(bool mask, const Value& a, const Value& b) {
+  return mask ? a : b;
 }
 
 template <glm::length_t length, class Real>
-glm::vec<length, Real> select_nonnegative(const glm::vec<length, Real>& x, const glm::vec<length, Real>& a,
-                                          const glm::vec<length, Real>& b) {
-  return glm::mix(b, a, glm::greaterThanEqual(x, glm::vec<length, Real>(0)));
+glm::vec<length, Real> select(const glm::vec<length, bool>& mask, const glm::vec<length, Real>& a,
+                              const glm::vec<length, Real>& b) {
+  return glm::mix(b, a, mask);
 }
 
-/// Component by component, `a` where x > 0 and `b` elsewhere.
-template <Number Real>
-Real select_positive(const Real& x, const Real& a, const Real& b) {
-  return x > Real(0) ? a : b;
+/// Whether a component of a mask is set.
+constexpr bool any_of(bool mask) {
+  return mask;
 }
 
-/// Whether a component is positive.
-template <Number Real>
-bool any_positive(const Real& a) {
-  return a > Real(0);
+/// Whether all components of a mask are set.
+constexpr bool all_of(bool mask) {
+  return mask;
 }
 
-/// Whether all components are positive.
-template <Number Real>
-bool all_positive(const Real& a) {
-  return a > Real(0);
-}
+/// The mask that comparisons of values make.
+template <class Value>
+using mask_t = decltype(std::declval<const Value&>() > std::declval<const Value&>());
 
 /// A value times a number, or times one number for each of its components.
 template <class Value, class Factor>

@@ -77,6 +77,62 @@ class Pack {
  public:
   using value_type = Real;
 
+  /// What comparisons of packs make: for each component whether it holds.
+  class Mask {
+   public:
+    /// Component by component, `a` where the mask is set and `b` elsewhere.
+    VCAVITY_INLINE Pack choose(const Pack& a, const Pack& b) const {
+      Pack result;
+      for (std::size_t i = 0; i < registers; ++i)
+        result.registers_[i] = registers_[i] ? a.registers_[i] : b.registers_[i];
+      return result;
+    }
+    VCAVITY_INLINE friend bool any_of(const Mask& mask) {
+      return mask.holds_for_any([](const auto& x) { return x; });
+    }
+    VCAVITY_INLINE friend bool all_of(const Mask& mask) {
+      return !mask.holds_for_any([](const auto& x) { return !x; });
+    }
+
+   private:
+    friend class Pack;
+
+    /// Whether a component of what `bits` makes of the mask is set.
+    template <class Bits>
+    VCAVITY_INLINE bool holds_for_any(Bits bits) const {
+      if constexpr (width == 1) {
+        for (const bool x : registers_)
+          if (bits(x)) return true;
+        return false;
+      } else if constexpr (size % width != 0) {
+        for (std::size_t i = 0; i < size; ++i)
+          if (bits(registers_[i / width][i % width] != 0)) return true;
+        return false;
+      } else {
+        auto found = bits(registers_[0]);
+        for (std::size_t i = 1; i < registers; ++i) found |= bits(registers_[i]);
+        return any_bit(found);
+      }
+    }
+
+    /// Whether a bit is set; halves are combined until they fit into a word.
+    template <class Bits>
+    VCAVITY_INLINE static bool any_bit(const Bits& bits) {
+      if constexpr (sizeof bits <= sizeof(std::uint64_t)) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, &bits, sizeof bits);
+        return word != 0;
+      } else {
+        typedef std::uint64_t Half VCAVITY_VECTOR(sizeof bits / 2);
+        Half halves[2];
+        std::memcpy(halves, &bits, sizeof bits);
+        return any_bit(halves[0] | halves[1]);
+      }
+    }
+
+    decltype(std::declval<Register>() > std::declval<Register>()) registers_[registers];
+  };
+
   Pack() = default;
 
   /// All components equal to `value`.
@@ -139,11 +195,23 @@ class Pack {
   VCAVITY_INLINE friend Pack magnitude(const Pack& a) {
     return map([](const auto& x) { return x < zero() ? -x : x; }, a);
   }
-  VCAVITY_INLINE friend Pack select_nonnegative(const Pack& x, const Pack& a, const Pack& b) {
-    return map([](const auto& t, const auto& y, const auto& z) { return t >= zero() ? y : z; }, x, a, b);
+  VCAVITY_INLINE friend Mask operator>=(const Pack& a, const Pack& b) {
+    return compare([](const auto& x, const auto& y) { return x >= y; }, a, b);
   }
-  VCAVITY_INLINE friend Pack select_positive(const Pack& x, const Pack& a, const Pack& b) {
-    return map([](const auto& t, const auto& y, const auto& z) { return t > zero() ? y : z; }, x, a, b);
+  VCAVITY_INLINE friend Mask operator>=(const Pack& a, const Real& b) {
+    return compare([y = broadcast(b)](const auto& x) { return x >= y; }, a);
+  }
+  VCAVITY_INLINE friend Mask operator>(const Pack& a, const Pack& b) {
+    return compare([](const auto& x, const auto& y) { return x > y; }, a, b);
+  }
+  VCAVITY_INLINE friend Mask operator>(const Pack& a, const Real& b) {
+    return compare([y = broadcast(b)](const auto& x) { return x > y; }, a);
+  }
+  VCAVITY_INLINE friend Mask operator<(const Pack& a, const Real& b) {
+    return compare([y = broadcast(b)](const auto& x) { return x < y; }, a);
+  }
+  VCAVITY_INLINE friend Pack select(const Mask& mask, const Pack& a, const Pack& b) {
+    return mask.choose(a, b);
   }
   VCAVITY_INLINE friend Pack at_least(const Pack& a, const Real& floor) {
     return map([low = broadcast(floor)](const auto& x) { return x < low ? low : x; }, a);
@@ -153,12 +221,6 @@ class Pack {
   }
   VCAVITY_INLINE friend Pack at_most(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
-  }
-  VCAVITY_INLINE friend bool any_positive(const Pack& a) {
-    return a.any([](const auto& x) { return x > decltype(x + x){}; });
-  }
-  VCAVITY_INLINE friend bool all_positive(const Pack& a) {
-    return !a.any([](const auto& x) { return !(x > decltype(x + x){}); });
   }
   template <class Visit>
   friend void for_each_component(const Pack& a, Visit&& visit) {
@@ -210,33 +272,12 @@ class Pack {
     return result;
   }
 
-  /// Whether a condition holds for some component.
-  template <class Condition>
-  VCAVITY_INLINE bool any(Condition condition) const {
-    if constexpr (width == 1 || size % width != 0) {
-      for (const Real& x : *this)
-        if (bool(condition(x))) return true;
-      return false;
-    } else {
-      auto found = condition(registers_[0]);
-      for (std::size_t i = 1; i < registers; ++i) found |= condition(registers_[i]);
-      return any_bit(found);
-    }
-  }
-
-  /// Whether a bit is set; halves are combined until they fit into a word.
-  template <class Bits>
-  VCAVITY_INLINE static bool any_bit(const Bits& bits) {
-    if constexpr (sizeof bits <= sizeof(std::uint64_t)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, &bits, sizeof bits);
-      return word != 0;
-    } else {
-      typedef std::uint64_t Half VCAVITY_VECTOR(sizeof bits / 2);
-      Half halves[2];
-      std::memcpy(halves, &bits, sizeof bits);
-      return any_bit(halves[0] | halves[1]);
-    }
+  /// The mask of condition(a, b, …), a register at a time.
+  template <class Condition, class... Packs>
+  VCAVITY_INLINE static Mask compare(Condition condition, const Packs&... packs) {
+    Mask result;
+    for (std::size_t i = 0; i < registers; ++i) result.registers_[i] = condition(packs.registers_[i]...);
+    return result;
   }
 
   Register registers_[registers];

@@ -141,7 +141,7 @@ Omissions worst_omissions(const Cavity<double>& cavity, const Facet& facet) {
   const auto try_direction = [&](double theta, double sin_psi, double cos_psi) {
     const Vec3<double> e{sin_psi, cos_psi * std::sin(theta), cos_psi * std::cos(theta)};
     const Omissions here = margin * directional_reflectance(cavity, e, tried);
-    worst = select_nonnegative(worst - here, worst, here);
+    worst = select(worst >= here, worst, here);
   };
   for (const double theta : angles_across(cavity)) {
     for (int j = 0; j < steps_along; ++j) {

@@ -18,10 +18,10 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
-#include <stdexcept>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/reflectance.hpp"
+#include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/plan/planner.hpp"
 #include "vcavity/rough/rough_bsdf.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
@@ -84,7 +84,7 @@ EffectsPlan plan_rough_effects(const Distribution& distribution, const Facet& fa
   if (!(tolerance > 0)) {
     std::ostringstream message;
     message << "the tolerance of a plan must be positive, not " << tolerance;
-    throw std::invalid_argument(message.str());
+    throw_invalid_argument(message.str());
   }
   const double share = tolerance / 2;
   const detail::Omissions errors = detail::worst_rough_omissions(distribution, facet);

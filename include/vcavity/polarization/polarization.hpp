@@ -122,8 +122,8 @@ struct IncidencePlane {
     // Almost along the groove both are so small that their squares would vanish; only their ratio counts.
     using Scalar = scalar_t<Real>;
     const Scalar small = detail::smallest_cosine<Scalar>();
-    const Real scale = select_nonnegative(Real(magnitude(p_a) + magnitude(p_b) - Real(small)), Real(1),
-                                          Real(Scalar(1) / (small * small)));
+    const Real scale =
+        select(Real(magnitude(p_a) + magnitude(p_b)) >= small, Real(1), Real(Scalar(1) / (small * small)));
     p_a = p_a * scale;
     p_b = p_b * scale;
     const Real inverse = Real(1) / at_least(Real(p_a * p_a + p_b * p_b), smallest_divisor<Scalar>());
