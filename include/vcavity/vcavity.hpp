@@ -74,6 +74,7 @@
 #include "vcavity/matte/interreflection_kernel.hpp"
 #include "vcavity/matte/panel_exchange.hpp"
 #include "vcavity/matte/lambertian_cavity.hpp"
+#include "vcavity/matte/lambertian_specular.hpp"
 // render/: what a renderer needs.
 #include "vcavity/render/groove_frame.hpp"
 #include "vcavity/render/bsdf.hpp"

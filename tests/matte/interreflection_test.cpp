@@ -35,7 +35,7 @@ TEST_CASE("the transform of the kernel is its Fourier integral") {
     const double aperture = radians(aperture_deg);
     const InterreflectionKernel<double> kernel{Cavity<double>(aperture)};
     const double step =
-        std::acos(-1.0) * std::acos(-1.0) / (3.5 - std::log(std::numeric_limits<double>::epsilon()));
+        std::acos(-1.0) * std::acos(-1.0) / (2.0 - std::log(std::numeric_limits<double>::epsilon()));
     for (std::size_t i = 0; i < kernel.nodes().size(); ++i) {
       const double tau = std::sinh(static_cast<double>(i) * step) / 2;
       CAPTURE(aperture_deg, tau);
@@ -73,6 +73,7 @@ TEMPLATE_LIST_TEST_CASE("every number type has nearly all digits of H, however e
         CHECK(error < allowed);
       };
       check(gain.rim(), expected.rim(), 8);
+      if (albedo < 0) continue;  // of light that is odd across the groove H alone means something
       check(gain.bihemispherical, expected.bihemispherical, 12);
       // With hardly any absorption and aperture, 1 − R is the product of a small and a large number.
       const bool both = albedo > 0.99 && aperture_deg < 1;

@@ -93,26 +93,49 @@ class InterreflectionKernel {
     using std::asinh;
     using std::cosh;
     using std::sinh;
-    const Real step = pi<Real>() * pi<Real>() / digits();
     const MehlerIntegral mehler(cavity.aperture());
-    const Real last = asinh(Real(2) * (digits() + Real(3)) / cavity.aperture());
+    const Real last = asinh(Real(2) * (digits() + Real(4)) / cavity.aperture());
     for (int i = 0;; ++i) {
-      const Real v = Real(i) * step;
-      const Real weight = (i == 0 ? Real(1) : Real(2)) * step / (pi<Real>() * cosh(v));
+      const Real v = Real(i) * step();
+      const Real weight = (i == 0 ? Real(1) : Real(2)) * step() / (pi<Real>() * cosh(v));
+      const Real negligible = std::numeric_limits<Real>::epsilon() / Real(16);
       if (v <= last) {
         Node node = mehler.at(sinh(v) / Real(2));
         node.weight = weight;
-        nodes_.push_back(node);
-      } else {
-        tail_weight_ += weight;
-        if (weight < std::numeric_limits<Real>::epsilon() * tail_weight_) break;
+        if (weight * node.transform > negligible * cavity.sin_half()) {
+          nodes_.push_back(node);
+          continue;
+        }
       }
+      tail_weight_ += weight;
+      if (weight < negligible * tail_weight_) break;
     }
+  }
+
+  /// A node for a groove of mirrors.
+  struct ImageNode {
+    Real weight;
+    std::vector<Real> transforms;  ///< κ̂ of the aperture, of twice the aperture, and so on below π
+  };
+
+  /// The nodes of a groove together with the grooves that a panel forms with the mirror images of the other.
+  static std::vector<ImageNode> images(const Cavity<Real>& cavity) {
+    using std::sinh;
+    const InterreflectionKernel kernel(cavity);
+    std::vector<ImageNode> result;
+    for (const Node& node : kernel.nodes_) result.push_back({node.weight, {node.transform}});
+    for (int multiple = 2; Real(multiple) * cavity.aperture() < pi<Real>(); ++multiple) {
+      const MehlerIntegral mehler(Real(multiple) * cavity.aperture());
+      for (std::size_t i = 0; i < result.size(); ++i)
+        result[i].transforms.push_back(
+            mehler.at(sinh(Real(static_cast<int>(i)) * step()) / Real(2)).transform);
+    }
+    return result;
   }
 
   const Cavity<Real>& cavity() const { return cavity_; }
 
-  /// The nodes at which κ̂ is not 0, in ascending order of v.
+  /// The nodes at which κ̂ is not negligible, in ascending order of v.
   const std::vector<Node>& nodes() const { return nodes_; }
 
   /// The weight of all further nodes together.
@@ -122,9 +145,7 @@ class InterreflectionKernel {
   /// @param albedo ρ in [−1, 1]
   InterreflectionGain<Real> gain(const Real& albedo) const {
     using std::exp;
-    using std::expm1;
     using std::log;
-    using std::log1p;
     const Real sin_half = cavity_.sin_half();
     const Real lack = Real(1) - albedo;
     if (lack * Real(256) < at_most(cavity_.aperture(), Real(1))) {
@@ -147,8 +168,10 @@ class InterreflectionKernel {
       sum += node.weight * term.logarithm;
       rest += node.weight * term.rest;
     }
-    return {albedo, Real(-sum - log1p(Real(-albedo))) / Real(2), -expm1(Real(-sum)),
-            (rest + exponential_rest(Real(-sum))) / (z * sin_half)};
+    // ln(1 + z) = −ln(1−ρ)
+    const ExponentialAndRest<Real> absorbed = exponential_and_rest(Real(-sum));
+    return {albedo, (beyond.logarithm - sum) / Real(2), -absorbed.less_one,
+            (rest + absorbed.rest) / (z * sin_half)};
   }
 
   /// H(√p)² and H(−√p)², taken apart into even and odd numbers of crossings; with all digits as p tends to 0.
@@ -187,8 +210,11 @@ class InterreflectionKernel {
   /// −ln ε, and a little more.
   static Real digits() {
     using std::log;
-    return Real(3.5) - log(std::numeric_limits<Real>::epsilon());
+    return Real(2) - log(std::numeric_limits<Real>::epsilon());
   }
+
+  /// Of the trapezoidal rule.
+  static Real step() { return pi<Real>() * pi<Real>() / digits(); }
 
   /// The two integrals, with the factors that τ does not change.
   class MehlerIntegral {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "vcavity/numbers/number.hpp"
 
@@ -28,9 +29,9 @@ template <class Real>
 LogarithmAndRest<Real> logarithm_and_rest(const Real& y) {
   using std::abs;
   using std::log;
-  if (abs(y) < Real(0.25)) {
-    // s² < 1/49 gives 5.6 bits for each term.
-    constexpr int terms = std::numeric_limits<Real>::digits * 10 / 56 + 1;
+  if (abs(y) < Real(0.125)) {
+    // s² < 1/225 gives 7.8 bits for each term.
+    constexpr int terms = std::numeric_limits<Real>::digits * 10 / 78 + 1;
     static const auto odd_inverses = [] {
       std::array<Real, std::size_t(terms)> result{};
       for (int k = 0; k < terms; ++k) result[static_cast<std::size_t>(k)] = Real(2) / Real(2 * k + 3);
@@ -48,19 +49,36 @@ LogarithmAndRest<Real> logarithm_and_rest(const Real& y) {
   return {logarithm, y - logarithm};
 }
 
-/// e^x − 1 − x with all its digits, x²/2 for small x.
+/// e^x − 1 and e^x − 1 − x, both with nearly all their digits.
 template <class Real>
-Real exponential_rest(const Real& x) {
+struct ExponentialAndRest {
+  Real less_one;  ///< e^x − 1
+  Real rest;      ///< e^x − 1 − x ≥ 0, x²/2 for small x
+};
+
+/// e^x − 1 and e^x − 1 − x for the price of one exponential.
+template <class Real>
+ExponentialAndRest<Real> exponential_and_rest(const Real& x) {
   using std::abs;
-  using std::exp;
-  if (abs(x) > Real(1)) return exp(x) - Real(1) - x;
-  Real term = x * x / Real(2);
-  Real sum(0);
-  for (int k = 3; abs(term) > std::numeric_limits<Real>::epsilon() * abs(sum) / Real(8); ++k) {
-    sum += term;
-    term *= x / Real(k);
+  using std::expm1;
+  if (abs(x) > Real(0.5)) {
+    const Real less_one = expm1(x);
+    return {less_one, less_one - x};
   }
-  return sum;
+  // 1/k! from k = 2 on, until the terms no longer count at x = ½.
+  static const std::vector<Real> inverse_factorials = [] {
+    std::vector<Real> result;
+    Real term(0.5);
+    for (int k = 3; term > std::numeric_limits<Real>::epsilon() / Real(8); ++k) {
+      result.push_back(result.empty() ? Real(0.5) : Real(result.back() / Real(k - 1)));
+      term /= Real(2 * k);
+    }
+    return result;
+  }();
+  Real sum(0);
+  for (std::size_t k = inverse_factorials.size(); k-- > 0;) sum = sum * x + inverse_factorials[k];
+  const Real rest = sum * x * x;
+  return {x + rest, rest};
 }
 
 }  // namespace vcavity

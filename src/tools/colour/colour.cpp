@@ -65,4 +65,9 @@ double encode_srgb(double linear) {
   return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
 }
 
+double decode_srgb(double encoded) {
+  const double value = std::clamp(encoded, 0.0, 1.0);
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace vcavity::tools

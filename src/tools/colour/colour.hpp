@@ -53,4 +53,7 @@ LinearRgb to_linear_rgb(const Xyz& colour, RgbSpace space);
 /// to that. Source: IEC 61966-2-1:1999, eq. 9 and 10.
 double encode_srgb(double linear);
 
+/// Its inverse: from an encoded component to a linear one, both 0 to 1.
+double decode_srgb(double encoded);
+
 }  // namespace vcavity::tools

@@ -232,9 +232,11 @@ std::string index_in_words(const std::optional<RefractiveIndex>& index) {
 /// The rows of the tables for one direction.
 /// @param leading whether they say first which direction that is
 void add_rows(Report& report, const Result& result, bool leading) {
+  // Where there are no ways to list, the direction itself is the row.
+  const bool alone = result.lobes.empty() && !result.ray && result.by_bounces.empty();
   const auto new_row = [&]() -> ReportRow& {
     ReportRow& row = report.add_row();
-    if (!leading) return row;
+    if (!leading && !alone) return row;
     for (const Json& fields : {question(result), totals(result)})
       for (const auto& [name, value] : fields.items()) {
         if (value.is_number_float())
@@ -254,7 +256,7 @@ void add_rows(Report& report, const Result& result, bool leading) {
     row.add_to_tables("bounces", std::to_string(bounces));
     add_number(row, "value", part);
   }
-  if (result.lobes.empty() && !result.ray && result.by_bounces.empty() && leading) new_row();
+  if (alone) new_row();
 }
 
 /// Draws the way of the light of one direction.
@@ -284,6 +286,7 @@ void run_direction(const DirectionOptions& options) {
   Report report;
   report.rows_name.clear();
   tell_origin(report, materials);
+  for (const Result& result : results) report.tell(albedo_in_words(result.at.surface));
   if (results.size() == 1) {
     const Result& result = results.front();
     report.head.update(json_of(result));

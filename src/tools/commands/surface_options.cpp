@@ -87,8 +87,60 @@ void check_distribution(const SurfaceOptions& options) {
       throw UsageError("--roughness: slopes of brushed grooves have one roughness, expected a number");
 }
 
+void check_albedos(const SurfaceOptions& options) {
+  const bool matte =
+      std::find(options.finishes.begin(), options.finishes.end(), Finish::matte) != options.finishes.end();
+  if (matte && !options.materials.empty())
+    throw UsageError("--finish matte: is of panels with an --albedo, expected no --material");
+  if (matte && options.albedos.empty()) throw UsageError("--albedo is required with --finish matte");
+  if (options.albedos.empty()) return;
+  if (!options.materials.empty() || !options.profiles.panels.empty())
+    throw UsageError("--albedo: stands in place of --material and --panels, expected one of them");
+  if (!options.films.empty()) throw UsageError("--film: lies on facets of a --material, not on an --albedo");
+  if (options.finishes.empty()) throw UsageError("--finish is required with --albedo: matte or mirror");
+}
+
+/// Words separated by commas.
+std::vector<std::string> words_of(const std::string& list) {
+  std::vector<std::string> words(1);
+  for (const char c : list)
+    if (c == ',')
+      words.emplace_back();
+    else
+      words.back() += c;
+  return words;
+}
+
+std::vector<Finish> finishes_of(const std::string& list) {
+  std::vector<Finish> finishes;
+  for (const std::string& word : words_of(list)) {
+    const auto known = {Finish::mirror, Finish::matte};
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](Finish finish) { return word == name_of(finish); });
+    if (found == known.end()) throw unexpected("--finish", word, "mirror or matte");
+    finishes.push_back(*found);
+  }
+  return finishes;
+}
+
+void add_albedo_options(CLI::App& command, SurfaceOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--finish", [&options](const std::string& list) { options.finishes = finishes_of(list); },
+          "how panels reflect: like mirrors (default) or matte, into all directions alike (Lambert), with an "
+          "--albedo in place of --material; a list")
+      ->type_name("mirror|matte");
+  command
+      .add_option_function<std::string>(
+          "--albedo", [&options](const std::string& list) { options.albedos = words_of(list); },
+          "what panels reflect at any angle: a number from 0 to 1, an sRGB colour such as '#b87333', a CSV "
+          "file with wavelength_nm,reflectance, or ONE/TWO for the two panels; a list")
+      ->type_name("A[,A...]");
+}
+
 void check(const SurfaceOptions& options) {
-  if (options.materials.empty() && options.profiles.panels.empty())
+  check_albedos(options);
+  if (options.materials.empty() && options.profiles.panels.empty() && options.albedos.empty())
     throw UsageError("--material is required");
   if (!options.materials.empty() && !options.profiles.panels.empty())
     throw UsageError("--panels: stands in place of --material, expected one of them");
@@ -128,6 +180,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
              "of the azimuth of brushed grooves about x, 0 (none) to 1e6 (default " +
                  exact(default_concentration) + ")")
       ->type_name("K");
+  add_albedo_options(command, options);
 }
 
 std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
@@ -139,6 +192,13 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
     surfaces.push_back({one, 180});
     surfaces.back().profile.panel_two = two;
   }
+  for (const std::string& words : options.albedos)
+    for (const Finish finish : options.finishes) {
+      SurfaceDescription surface{Material::from_index({1, 0}, "1"), 180};
+      surface.finish = finish;
+      surface.albedos = load_albedos(words);
+      surfaces.push_back(surface);
+    }
   vary(surfaces, options.apertures_deg,
        [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
   surfaces = with_profiles(surfaces, options.profiles);
@@ -160,7 +220,8 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
 std::vector<SurfaceAtWavelength> surfaces_at(const SurfaceOptions& options,
                                              const std::vector<double>& wavelengths_nm) {
   const std::vector<SurfaceDescription> surfaces = surfaces_of(options);
-  const std::size_t materials = options.materials.size() + options.profiles.panels.size();
+  const std::size_t materials = options.materials.size() + options.profiles.panels.size() +
+                                options.albedos.size() * options.finishes.size();
   const std::size_t shapes = surfaces.size() / std::max<std::size_t>(1, materials);
   std::vector<SurfaceAtWavelength> result;
   for (auto first = surfaces.begin(); first != surfaces.end(); first += static_cast<std::ptrdiff_t>(shapes))

@@ -23,6 +23,8 @@ struct SurfaceOptions {
   std::optional<Roughness::Distribution> distribution;
   std::vector<Roughness> roughnesses;  ///< along x and along y; the rest is in the other two options
   std::optional<double> concentration;
+  std::vector<Finish> finishes;      ///< of panels with an albedo
+  std::vector<std::string> albedos;  ///< in place of materials, see load_albedos()
 };
 
 /// Adds --material, --aperture and all others of `SurfaceOptions`.

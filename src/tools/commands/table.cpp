@@ -133,6 +133,7 @@ void run_table(const TableOptions& options) {
   for (const Row& row : rows)
     for (const Material& material : materials_of(row.at.surface)) materials.push_back(material);
   tell_origin(report, materials);
+  for (const Row& row : rows) report.tell(albedo_in_words(row.at.surface));
   for (const Row& row : rows) {
     add_row(report, row);
     if (!row.plan) continue;

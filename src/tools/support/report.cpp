@@ -82,6 +82,12 @@ std::string found(const Cells& cells, const std::string& column, Text text) {
 
 }  // namespace
 
+void Report::tell(const std::string& origin) {
+  if (origin.empty() || std::find(notes.begin(), notes.end(), origin) != notes.end()) return;
+  notes.push_back(origin);
+  provenance.push_back(origin);
+}
+
 std::string Report::to_markdown() const {
   std::string text = title.empty() ? "" : title + "\n\n";
   text += tools::to_markdown(table_of(columns(), rows_, [](const ReportRow& row, const std::string& column) {

@@ -69,6 +69,9 @@ class Report {
   /// Adds a row, which stays valid until the next one is added.
   ReportRow& add_row() { return rows_.emplace_back(); }
 
+  /// Adds a line to provenance and notes, unless it is empty or has been added before.
+  void tell(const std::string& origin);
+
   std::string to_markdown() const;
   std::string to_csv() const;
   std::string to_json() const;

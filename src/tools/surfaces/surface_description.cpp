@@ -6,11 +6,20 @@
 
 #include "tools/support/text_table.hpp"
 #include "tools/surfaces/groove_surface.hpp"
+#include "tools/surfaces/matte_surface.hpp"
 #include "tools/surfaces/profile_surface.hpp"
 
 namespace vcavity::tools {
 
+const char* name_of(Finish finish) {
+  return finish == Finish::matte ? "matte" : "mirror";
+}
+
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
+  if (surface.albedos)
+    return {{"finish", name_of(surface.finish)},
+            {"albedo", surface.albedos->name()},
+            {"aperture_deg", surface.aperture_deg}};
   nlohmann::ordered_json fields{{"material", material_of(surface)}};
   if (surface.roughness) {
     fields.update(fields_of(*surface.roughness));
@@ -24,10 +33,13 @@ nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
 }
 
 std::string material_of(const SurfaceDescription& surface) {
+  if (surface.albedos) return std::string(name_of(surface.finish)) + " " + surface.albedos->name();
   return panels_in_words(surface.profile, surface.material);
 }
 
 std::string grooves_in_words(const SurfaceDescription& surface) {
+  if (surface.albedos)
+    return std::string(name_of(surface.finish)) + " grooves of albedo " + surface.albedos->name();
   return surface.material.constant() ? "grooves of index " + material_of(surface)
                                      : material_of(surface) + " grooves";
 }
@@ -41,13 +53,23 @@ std::string in_words(const SurfaceDescription& surface) {
 
 std::string file_stem(const SurfaceDescription& surface) {
   std::string material = material_of(surface);
-  std::replace(material.begin(), material.end(), '/', '-');
+  std::replace_if(
+      material.begin(), material.end(), [](char c) { return c == '/' || c == ' ' || c == '#'; }, '-');
   const std::string shape =
       surface.roughness ? file_stem(*surface.roughness) : file_stem(surface.profile, surface.aperture_deg);
   return material + "_" + shape + file_stem(surface.films);
 }
 
+std::string albedo_in_words(const SurfaceDescription& surface) {
+  if (!surface.albedos) return "";
+  const PanelAlbedos& albedos = *surface.albedos;
+  std::string words = std::string(name_of(surface.finish)) + " panels, " + albedos.one.source();
+  if (albedos.differ) words += " on panel one, " + albedos.two.source() + " on panel two";
+  return words;
+}
+
 std::vector<Material> materials_of(const SurfaceDescription& surface) {
+  if (surface.albedos) return {};
   std::vector<Material> materials{surface.material};
   for (const Material& material : materials_of(surface.profile)) materials.push_back(material);
   for (const FilmLayer& film : surface.films) materials.push_back(film.material);
@@ -55,11 +77,12 @@ std::vector<Material> materials_of(const SurfaceDescription& surface) {
 }
 
 bool is_bare_symmetric_groove(const SurfaceDescription& surface) {
-  return surface.profile.is_plain() && !has_films(surface.films) && !surface.roughness;
+  return !surface.albedos && surface.profile.is_plain() && !has_films(surface.films) && !surface.roughness;
 }
 
 std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,
                                             const LightModel& light) {
+  if (surface.albedos) return make_albedo_surface(surface, wavelength_nm, light);
   if (!surface.profile.is_plain()) return make_profile_surface(surface, wavelength_nm, light);
   if (surface.roughness) return make_rough_surface(surface, wavelength_nm, light);
   return make_groove_surface(surface, wavelength_nm, light);

@@ -11,12 +11,19 @@
 
 #include "tools/materials/facet.hpp"
 #include "tools/materials/material.hpp"
+#include "tools/surfaces/albedo.hpp"
 #include "tools/surfaces/films.hpp"
 #include "tools/surfaces/profile_description.hpp"
 #include "tools/surfaces/rough_surface.hpp"
 #include "tools/surfaces/surface.hpp"
 
 namespace vcavity::tools {
+
+/// How panels reflect: like mirrors, or into all directions alike (Lambert).
+enum class Finish { mirror, matte };
+
+/// "mirror" or "matte", as on the command line.
+const char* name_of(Finish finish);
 
 /// A surface in the words of the command line. Members are those of one shape and finish; what an option that was not
 /// given would set stays at its default.
@@ -26,6 +33,8 @@ struct SurfaceDescription {
   std::vector<FilmLayer> films = {};  ///< on every facet, the top one first
   ProfileDescription profile = {};    ///< where the groove is not symmetric and of one material
   std::optional<Roughness> roughness = std::nullopt;  ///< a distribution of grooves, in place of one aperture
+  Finish finish = Finish::mirror;
+  std::optional<PanelAlbedos> albedos = std::nullopt;  ///< of the panels, in place of the material
 };
 
 /// How light is followed.
@@ -50,8 +59,11 @@ std::string in_words(const SurfaceDescription& surface);
 /// Material, shape and finish as part of a file name: "Cu-Johnson_45deg".
 std::string file_stem(const SurfaceDescription& surface);
 
-/// The materials that a surface is made of, for provenance.
+/// The materials that a surface is made of, for provenance; none where albedos are given.
 std::vector<Material> materials_of(const SurfaceDescription& surface);
+
+/// Finish and albedo of the panels and where it is from, for provenance; empty where a material is given.
+std::string albedo_in_words(const SurfaceDescription& surface);
 
 /// Whether a surface is a bare symmetric groove, for which maps have a fast kernel.
 bool is_bare_symmetric_groove(const SurfaceDescription& surface);

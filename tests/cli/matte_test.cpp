@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vcavity/matte/lambertian_cavity.hpp>
+
+#include "cli/program.hpp"
+#include "support/catch.hpp"
+
+using nlohmann::json;
+using namespace vcavity;
+
+namespace {
+
+json result_of(const std::string& line, const std::filesystem::path& folder) {
+  const Outcome outcome = run(line + " --format json", folder);
+  CAPTURE(line, outcome.err);
+  REQUIRE(outcome.status == 0);
+  return json::parse(outcome.out);
+}
+
+json result_of(const std::string& line) {
+  const ScratchFolder folder;
+  return result_of(line, folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("table knows matte grooves of one albedo and of two") {
+  const json result = result_of("table --finish matte --albedo 0.8,0.9/0.3 --aperture 60,180");
+  REQUIRE(result["rows"].size() == 4);
+  // Reference cases; flat panels of two albedos side by side reflect the mean.
+  const double expected[] = {0.6726458679685511, 0.8, 0.4099234631395311, 0.6};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const json& row = result["rows"][i];
+    CHECK(row["finish"] == "matte");
+    CHECK(row["albedo"] == (i < 2 ? "0.8" : "0.9/0.3"));
+    CHECK_FALSE(row.contains("material"));
+    CHECK(std::abs(row["reflectance"].get<double>() - expected[i]) <= row["error_estimate"].get<double>());
+  }
+}
+
+TEST_CASE("direction tells reflectance and BRDF of a matte groove, which panel is which included") {
+  const json result = result_of(
+      "direction --finish matte --albedo 0.9/0.3 --aperture 60 --theta 50 --phi 20 --toward 40,200");
+  const LambertianCavity<double> matte(Cavity<double>(radians(60.0)), 0.9, 0.3);
+  const Vec3<double> light = direction(radians(50.0), radians(20.0));
+  const Vec3<double> viewer = direction(radians(40.0), radians(200.0));
+  CHECK(result["reflectance"] == matte.directional_reflectance(light));
+  CHECK(result["brdf"] == matte.brdf(light, viewer));
+  CHECK(result["brdf_cos"] == Approx(matte.brdf(light, viewer) * viewer.z));
+  CHECK(result["error_estimate"] == matte.brdf_error(light, viewer));
+  // At 0 degrees of phi light comes from +y and lights panel one.
+  const json bright = result_of("direction --finish matte --albedo 0.9/0.3 --aperture 60 --theta 70 --phi 0");
+  const json dark = result_of("direction --finish matte --albedo 0.9/0.3 --aperture 60 --theta 70 --phi 180");
+  CHECK(bright["reflectance"].get<double>() > 2 * dark["reflectance"].get<double>());
+}
+
+TEST_CASE("an albedo is a table of wavelengths or a colour") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "paint.csv") << "# a paint\nwavelength_nm,reflectance\n500,0.2\n600,0.6\n";
+  const json table =
+      result_of("table --finish matte --albedo paint.csv --aperture 180 --wavelength 500,525", folder.path());
+  CHECK(table["rows"][0]["albedo"] == "paint");
+  CHECK(table["rows"][0]["reflectance"] == Approx(0.2));
+  CHECK(table["rows"][1]["reflectance"] == Approx(0.3));
+  // Greys are the same at all wavelengths: 0xbc is linear 0.5029.
+  const json grey = result_of("table --finish matte --albedo #bcbcbc --aperture 180 --wavelength 400,650");
+  CHECK(grey["rows"][0]["reflectance"] == Approx(0.502886).epsilon(1e-5));
+  CHECK(grey["rows"][1]["reflectance"] == grey["rows"][0]["reflectance"]);
+  const json two =
+      result_of("table --finish matte --albedo paint.csv/0.1 --aperture 180 --wavelength 600", folder.path());
+  CHECK(two["rows"][0]["reflectance"] == Approx(0.35));
+}
+
+TEST_CASE("mirrors of a given albedo lose it at each bounce") {
+  const json result = result_of("direction --finish mirror --albedo 0.5 --aperture 60 --theta 0 --phi 0");
+  for (const json& lobe : result["lobes"])
+    CHECK(lobe["throughput"] == Approx(std::pow(0.5, lobe["bounces"].get<int>())));
+}
+
+TEST_CASE("what makes no sense of an albedo is refused with its words and status 2") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "paint.csv") << "wavelength_nm,reflectance\n500,0.2\n600,0.6\n";
+  for (const auto& [line, words] : std::vector<std::pair<std::string, std::string>>{
+           {"table --finish matte --aperture 60", "--albedo is required"},
+           {"table --albedo 0.5 --aperture 60", "--finish is required"},
+           {"table --finish matte --material 1.5 --aperture 60", "expected no --material"},
+           {"table --finish dull --albedo 0.5 --aperture 60", "'dull'"},
+           {"table --finish matte --albedo 1.5 --aperture 60", "'1.5'"},
+           {"table --finish matte --albedo #12345 --aperture 60", "'#12345'"},
+           {"table --finish matte --albedo nowhere.csv --aperture 60", "'nowhere.csv'"},
+           {"table --finish matte --albedo paint.csv --aperture 60 --wavelength 400", "no data at 400 nm"},
+           {"table --finish matte --albedo #b87333 --aperture 60 --wavelength 1000", "1000 nm"},
+           {"table --finish matte --albedo 0.5 --aperture 60 --max-bounces 2", "--max-bounces"},
+           {"table --finish matte --albedo 0.5 --aperture 60 --polarization full", "--polarization"},
+           {"table --finish mirror --albedo 0.5/0.2 --aperture 60", "0.5/0.2"},
+           {"direction --finish matte --albedo 0.5 --aperture 60 --theta 0 --phi 0 --position 0",
+            "--position"},
+           {"map --finish matte --albedo 0.5 --aperture 60 --quantity bounces --out a.exr", "bounces"}}) {
+    CAPTURE(line);
+    const Outcome outcome = run(line, folder.path());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(words) != std::string::npos);
+    CHECK(lines_of(outcome.err).size() == 1);
+  }
+  std::ofstream(folder / "bad.csv") << "wavelength_nm,reflectance\n500,0.2\n600,1.6\n";
+  std::ofstream(folder / "other.csv") << "nm,percent\n500,20\n";
+  for (const auto& [file, words] : std::vector<std::pair<std::string, std::string>>{
+           {"bad.csv", "bad.csv:3: reflectance 1.6"},
+           {"other.csv", "other.csv:1: the heading is 'nm,percent'"}}) {
+    const Outcome outcome = run("table --finish matte --albedo " + file + " --aperture 60", folder.path());
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.find(words) != std::string::npos);
+  }
+}
