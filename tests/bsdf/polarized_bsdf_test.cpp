@@ -76,3 +76,27 @@ TEST_CASE("narrow spread lobes carry the Mueller matrices of infinitely narrow o
                        [](double a, double b) { CHECK(a == Approx(b).margin(1e-9)); });
     }
 }
+
+TEST_CASE("spread lobes of polarised light: what goes one way is the reverse of what goes the other") {
+  const SpreadGrooveBsdf bsdf(GrooveBsdf(Cavity<double>(radians(50.0)), metal), 0.1);
+  const Vec3<double> wo = direction(radians(20.0), radians(30.0));
+  double sense = 0;
+  for (const double u : {0.1, 0.5, 0.9}) {
+    const auto sample = bsdf.sample(wo, u, {0.3, 0.6});
+    REQUIRE(sample);
+    const Vec3<double>& wi = sample->direction;
+    const Mueller<double> radiance = bsdf.evaluate(wo, wi, Transport::radiance);
+    const Mueller<double> importance = bsdf.evaluate(wo, wi, Transport::importance);
+    for_each_element(radiance, reversed(importance),
+                     [](double a, double b) { CHECK(a == Approx(b).margin(1e-14)); });
+    // What is drawn is what is evaluated, the other way as well.
+    for_each_element(sample->probability * sample->weight, radiance,
+                     [](double a, double b) { CHECK(a == Approx(b).margin(1e-12)); });
+    const auto forwards = bsdf.sample(wo, u, {0.3, 0.6}, Transport::importance);
+    REQUIRE(forwards);
+    for_each_element(forwards->probability * forwards->weight, importance,
+                     [](double a, double b) { CHECK(a == Approx(b).margin(1e-12)); });
+    sense += std::abs(radiance(0, 2) - importance(0, 2));
+  }
+  CHECK(sense > 1e-3);  // the two differ, or nothing has been tested
+}

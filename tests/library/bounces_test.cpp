@@ -76,3 +76,56 @@ TEMPLATE_LIST_TEST_CASE("light along the horizon and along the groove is answere
   CHECK(ray_path(cavity, across, Real(0.3)).bounces == 1);
   CHECK(ray_path(cavity, across, Real(0.3)).first_panel == Panel::one);
 }
+
+TEMPLATE_LIST_TEST_CASE("which panel counts as met first where the geometry leaves it open", "",
+                        HardwareReals) {
+  using Real = TestType;
+  const Cavity<Real> cavity(radians(Real(45)));
+  // Light along the groove meets the panel below its place on the opening.
+  const Vec3<Real> along{Real(1), Real(0), Real(0)};
+  CHECK(ray_path(cavity, along, Real(-0.3)).first_panel == Panel::one);
+  CHECK(ray_path(cavity, along, Real(0.3)).first_panel == Panel::two);
+  // A ray through the apex counts as meeting panel two.
+  CHECK(ray_path(cavity, {Real(0), Real(0), Real(1)}, Real(0)).first_panel == Panel::two);
+}
+
+TEST_CASE("stepping over several bounces at once is stepping over each of them, odd numbers included") {
+  const Cavity<double> cavity(radians(25.0));
+  const Vec3<double> e = direction(0.4, 0.7);
+  for (const Panel first : {Panel::one, Panel::two})
+    for (const int steps : {0, 1, 2, 3, 4, 5}) {
+      auto at_once = unfold(cavity, e, first);
+      auto apart = unfold(cavity, e, first);
+      at_once.advance(steps);
+      for (int i = 0; i < steps; ++i) apart.advance();
+      CHECK(at_once.number() == apart.number());
+      CHECK(at_once.bounce().panel == apart.bounce().panel);
+      CHECK(at_once.bounce().cosine == Approx(apart.bounce().cosine).epsilon(1e-13));
+      CHECK(exit_direction(cavity, at_once).y == Approx(exit_direction(cavity, apart).y).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("the mean number of bounces is that of single rays, in narrow grooves too") {
+  for (const double aperture_deg : {9.0, 20.0, 40.0, 130.0})
+    for (const double theta : {0.1, 0.5, 1.1}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      const Vec3<double> e = direction(theta, 0.6);
+      constexpr int rays = 20000;
+      double sum = 0;
+      for (int i = 0; i < rays; ++i) sum += ray_path(cavity, e, (2 * i + 1.0) / rays - 1).bounces;
+      // A step of the number of bounces falls between two rays.
+      CHECK(std::abs(sum / rays - mean_bounces(cavity, e)) < 10.0 / rays);
+    }
+}
+
+TEST_CASE("a recorded direction starts each first panel with all of the light") {
+  const Conductor<double> copper(1.1, 2.6);
+  for (const double aperture_deg : {15.0, 50.0, 95.0})
+    for (const double theta : {0.05, 0.4, 1.3}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      const Vec3<double> e = direction(theta, 0.9);
+      const RecordedDirection<double> recorded(cavity, e);
+      CHECK(recorded.reflectance(copper) ==
+            Approx(directional_reflectance(cavity, e, copper)).epsilon(1e-14));
+    }
+}

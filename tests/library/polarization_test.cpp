@@ -320,3 +320,21 @@ TEST_CASE("a perfect conductor's absorbed power seen through a way is that of it
   const Jones<double> turn({0.6, 0}, {0, 0.8}, {0, 0.8}, {0.6, 0});
   CHECK(unpolarized(absorbed_behind(turn, absorbed)) == Approx(unpolarized(absorbed)).epsilon(1e-15));
 }
+
+TEST_CASE("light along the groove is described in the axis z") {
+  for (const double sign : {-1.0, 1.0}) {
+    const Vec3<double> axis = polarization_axis(Vec3<double>{sign, 0, 0});
+    CHECK(axis == Vec3<double>(0, 0, 1));
+  }
+}
+
+TEST_CASE("polarizance is what unpolarised light becomes, diattenuation what it depends on") {
+  // Whatever comes in leaves polarised along a: the incoherent sum of two ways, a to a and b to a.
+  const Complex<double> one{1, 0}, none{0, 0};
+  const Mueller<double> polarizing = Mueller<double>(Jones<double>{one, none, none, none}) +
+                                     Mueller<double>(Jones<double>{none, one, none, none});
+  CHECK(polarizance(polarizing) == Approx(1));
+  CHECK(diattenuation(polarizing) == Approx(0).margin(1e-15));
+  CHECK(polarizance(reversed(polarizing)) == Approx(0).margin(1e-15));
+  CHECK(diattenuation(reversed(polarizing)) == Approx(1));
+}

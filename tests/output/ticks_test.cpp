@@ -26,6 +26,14 @@ TEST_CASE("linear ticks are round numbers with the decimals they need") {
   CHECK(labels(linear_ticks(0.9583, 0.9591, 5)) == Labels{"0.9584", "0.9586", "0.9588", "0.9590"});
 }
 
+TEST_CASE("an end that rounding has moved by a hair keeps its tick") {
+  CHECK(labels(linear_ticks(0, 0.1 + 0.2, 4)) == Labels{"0", "0.1", "0.2", "0.3"});
+  CHECK(labels(linear_ticks(0.1 + 0.2, 0.6, 4)) == Labels{"0.3", "0.4", "0.5", "0.6"});
+  CHECK(labels(linear_ticks(-0.1 - 0.2, 0, 4)) == Labels{"−0.3", "−0.2", "−0.1", "0"});
+  CHECK(labels(linear_ticks(0, 3 * 1.1, 4)) == Labels{"0", "1", "2", "3"});
+  CHECK(labels(linear_ticks(0, 1 - 1e-13, 6)).back() == "1.0");
+}
+
 TEST_CASE("a short range far from zero keeps plain numbers") {
   CHECK(labels(linear_ticks(0.958302, 0.958306, 3)) == Labels{"0.958302", "0.958304", "0.958306"});
 }

@@ -35,6 +35,17 @@ TEST_CASE("a* runs from green to red and b* from blue to yellow") {
   CHECK(lab.b == Catch::Approx(200 * (std::cbrt(0.2) - std::cbrt(0.05))).epsilon(1e-13));
 }
 
+TEST_CASE("the colours of sRGB components are those that have these components") {
+  // The two matrices of the standard have four decimals.
+  for (const LinearRgb& rgb :
+       {LinearRgb{1, 0, 0}, LinearRgb{0, 1, 0}, LinearRgb{0, 0, 1}, LinearRgb{0.7, 0.2, 0.4}}) {
+    const LinearRgb back = to_linear_srgb(from_linear_srgb(rgb));
+    CHECK(std::abs(back.r - rgb.r) < 3e-4);
+    CHECK(std::abs(back.g - rgb.g) < 3e-4);
+    CHECK(std::abs(back.b - rgb.b) < 3e-4);
+  }
+}
+
 TEST_CASE("the white of sRGB and of BT.2020 is D65") {
   const LinearRgb srgb = to_linear_srgb(d65);
   // The matrix of the standard has four decimals.

@@ -61,6 +61,13 @@ TEST_CASE("formula 7 is Herzberger's") {
         near(6 + 0.1 * 1.028 + 0.01 * 1.028 * 1.028 + 0.001 * 1.028 * 1.028 * 1.028));
 }
 
+TEST_CASE("the second denominator of formula 7 is a square") {
+  // At 2 um both denominators are q = 4 − 0.028.
+  const double q = 4 - 0.028;
+  CHECK(index("7", "1 2 3 0.1 0.01 0.001", 2) ==
+        near(1 + 2 / q + 3 / (q * q) + 0.1 * 4 + 0.01 * 16 + 0.001 * 64));
+}
+
 TEST_CASE("formula 8 gives (n^2 - 1) / (n^2 + 2)") {
   CHECK(index("8", "0.1 0.2 1 0.05", 2) == near(std::sqrt(64.0 / 13)));  // x = 17/30
 }

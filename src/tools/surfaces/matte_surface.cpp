@@ -119,7 +119,8 @@ std::unique_ptr<const Surface> make_albedo_surface(const SurfaceDescription& sur
   if (surface.roughness)
     throw UsageError("--distribution: is of mirrors of a --material, not of panels with an --albedo");
   if (!surface.profile.is_plain())
-    throw UsageError("--albedo: is of symmetric grooves, expected none of --tilt, --slopes, --panels, --floor and --land");
+    throw UsageError(
+        "--albedo: is of symmetric grooves, expected none of --tilt, --slopes, --panels, --floor and --land");
   const double aperture = radians(surface.aperture_deg);
   if (surface.finish == Finish::mirror) {
     if (albedos.differ)
