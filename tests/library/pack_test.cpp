@@ -43,6 +43,9 @@ void check_every_lane() {
     CHECK(at_least(a, Real(0.5))[i] == std::max(a[i], Real(0.5)));
     CHECK(at_most(a, Real(0.5))[i] == std::min(a[i], Real(0.5)));
     CHECK(at_most(a, b)[i] == std::min(a[i], b[i]));
+    CHECK(select(a > b, a, b)[i] == std::max(a[i], b[i]));
+    CHECK(select(a >= Real(0), a, b)[i] == (a[i] >= 0 ? a[i] : b[i]));
+    CHECK(select(a < Real(0.5), a, b)[i] == (a[i] < Real(0.5) ? a[i] : b[i]));
     CHECK(Pack<Real, size>(Real(7))[i] == Real(7));
     CHECK((Pack<Real, size>::load(a.begin()))[i] == a[i]);
   }
@@ -56,17 +59,17 @@ void check_every_lane() {
 template <class Real, std::size_t size>
 void check_the_lane_that_decides() {
   const Pack<Real, size> zeros(Real(0)), ones(Real(1));
-  CHECK_FALSE(any_positive(zeros));
-  CHECK_FALSE(any_positive(-ones));
-  CHECK(all_positive(ones));
+  CHECK_FALSE(any_of(zeros > Real(0)));
+  CHECK_FALSE(any_of(-ones > Real(0)));
+  CHECK(all_of(ones > Real(0)));
   for (std::size_t lane = 0; lane < size; ++lane) {
     CAPTURE(size, lane);
     Pack<Real, size> one_bright = zeros, one_dark = ones, one_negative = zeros;
     one_bright[lane] = Real(0.25);
     one_dark[lane] = Real(0);
     one_negative[lane] = Real(-3);
-    CHECK(any_positive(one_bright));
-    CHECK_FALSE(all_positive(one_dark));
+    CHECK(any_of(one_bright > Real(0)));
+    CHECK_FALSE(all_of(one_dark > Real(0)));
     CHECK(largest(one_bright) == Real(0.25));
     CHECK(largest(one_negative) == Real(3));
     CHECK_FALSE(one_bright == zeros);
