@@ -173,3 +173,14 @@ TEST_CASE("profiles that cannot be are refused with value and domain") {
   check_refused(start + " --aperture 60,90 --plot a.svg",
                 "--plot: shows one direction on one surface, expected no list or range");
 }
+
+TEST_CASE("the cost of any surface is that of its own quadrature") {
+  const json result = result_of("cost" + of_silver + " --slopes 80:40 --land 0.1");
+  CHECK(result["tilt_deg"] == 20);
+  REQUIRE(result["sections"].size() == 2);
+  REQUIRE(result["sections"][0]["rows"].size() == 5);
+  CHECK(result["sections"][0]["rows"][4]["error"].get<double>() < 1e-10);
+  CHECK(result["sections"][1]["rows"].size() == 3);
+  check_refused("cost" + of_silver + " --aperture 60,90",
+                "cost: measures one surface, expected no list or range of 2");
+}

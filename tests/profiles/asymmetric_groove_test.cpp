@@ -9,6 +9,7 @@
 #include <vcavity/hemisphere/bihemispherical.hpp>
 #include <vcavity/numbers/pack.hpp>
 #include <vcavity/polarization/absorbed_fields.hpp>
+#include <vcavity/render/bsdf.hpp>
 
 #include "profiles/random_profiles.hpp"
 #include "support/catch.hpp"
@@ -276,5 +277,23 @@ TEST_CASE(
     check(Conductor<double>(0.1249, 3.3391), 1e-12);
     check(polarized(Dielectric<double>(1.5)), 1e-12);
     check(Dielectric<double>(1 / 1.5), 1e-9);
+  }
+}
+
+TEST_CASE("the BSDF of an asymmetric groove draws its lobes, and its samples add up to the albedo") {
+  Dice dice(13);
+  const Conductor<double> metal(3.2, 3.3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto groove = dice.groove();
+    const GrooveBsdf bsdf(groove, metal, trial % 2 == 0 ? LobeChoice::by_energy : LobeChoice::by_weight);
+    const Vec3<double> wo = dice.light();
+    CHECK(bsdf.lobes(wo).size() == lobes(groove, wo, metal).size());
+    double mean = 0;
+    constexpr int samples = 20000;
+    for (int i = 0; i < samples; ++i)
+      if (const auto sample = bsdf.sample(wo, (i + 0.5) / samples)) mean += sample->weight / samples;
+    // Where one lobe ends and the next begins a sample may count for either.
+    CHECK(std::abs(mean - bsdf.albedo(wo)) < 20.0 / samples);
+    CHECK(bsdf.albedo(wo) == directional_reflectance(groove, wo, metal));
   }
 }

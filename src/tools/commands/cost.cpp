@@ -8,8 +8,8 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/surface_options.hpp"
 #include "tools/images/plot.hpp"
-#include "tools/materials/catalogue.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/text_table.hpp"
 
@@ -20,8 +20,7 @@ namespace {
 enum class Length { one_screen, whole };
 
 struct CostOptions {
-  std::string material;
-  double aperture_deg = 0;
+  SurfaceOptions surfaces;
   double wavelength_nm = default_wavelength_nm;
   Format format = Format::md;
   Length length = Length::one_screen;
@@ -143,32 +142,42 @@ Plot plot_of(const CostSection& section, const std::string& what) {
   return plot;
 }
 
-void run_cost(const CostOptions& options) {
-  const Material material = load_material(options.material);
-  const RefractiveIndex index = material.at(options.wavelength_nm);
-  std::vector<CostSection> sections{
-      cost_of_integrals(options.aperture_deg, index), cost_of_effects(options.aperture_deg, index),
-      cost_of_map(options.aperture_deg, index), cost_of_polarization(options.aperture_deg, index)};
-  if (CostSection wavelengths = cost_of_wavelengths(options.aperture_deg, material);
+/// What can be asked of a surface: of a bare symmetric groove how other methods do.
+std::vector<CostSection> sections_of(const SurfaceDescription& surface, double wavelength_nm) {
+  if (!is_bare_symmetric_groove(surface))
+    return {cost_of_surface(surface, wavelength_nm), cost_of_polarization(surface, wavelength_nm)};
+  const RefractiveIndex index = surface.material.at(wavelength_nm);
+  const double aperture_deg = surface.aperture_deg;
+  std::vector<CostSection> sections{cost_of_integrals(aperture_deg, index),
+                                    cost_of_effects(aperture_deg, index), cost_of_map(aperture_deg, index),
+                                    cost_of_polarization(aperture_deg, index)};
+  if (CostSection wavelengths = cost_of_wavelengths(aperture_deg, surface.material);
       !wavelengths.rows.empty())
     sections.push_back(std::move(wavelengths));
+  return sections;
+}
 
-  const std::string groove =
-      "n = " + exact(index.n) + ", k = " + exact(index.k) + ", aperture " + exact(options.aperture_deg) + "°";
+void run_cost(const CostOptions& options) {
+  const std::vector<SurfaceDescription> surfaces = surfaces_of(options.surfaces);
+  if (surfaces.size() != 1)
+    throw UsageError("cost: measures one surface, expected no list or range of " +
+                     std::to_string(surfaces.size()));
+  const SurfaceDescription& surface = surfaces.front();
+  const Material& material = surface.material;
+  const RefractiveIndex index = material.at(options.wavelength_nm);
+  const std::vector<CostSection> sections = sections_of(surface, options.wavelength_nm);
+
+  const std::string groove = "n = " + exact(index.n) + ", k = " + exact(index.k) + ", " + in_words(surface);
   if (!options.plot.empty()) {
     AtomicFile file(options.plot);
     write_plot(file, plot_of(sections.front(), in_one_line(material) + ", " + groove));
     file.commit();
   }
   if (options.format == Format::json) {
-    print_json(sections, {{"material", material.name()},
-                          {"source", material.reference()},
-                          {"software", software()},
-                          {"command", command_line()},
-                          {"aperture_deg", options.aperture_deg},
-                          {"wavelength_nm", options.wavelength_nm},
-                          {"n", index.n},
-                          {"k", index.k}});
+    nlohmann::ordered_json about = fields_of(surface);
+    about.update({{"source", material.reference()}, {"software", software()}, {"command", command_line()}});
+    about.update({{"wavelength_nm", options.wavelength_nm}, {"n", index.n}, {"k", index.k}});
+    print_json(sections, about);
   } else if (options.format == Format::csv) {
     print_csv(sections, provenance_lines(material));
   } else {
@@ -181,8 +190,7 @@ void run_cost(const CostOptions& options) {
 void add_cost_command(CLI::App& program) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = program.add_subcommand("cost", "what accuracy costs in time, measured on this machine");
-  add_material(*command, options->material);
-  add_aperture(*command, options->aperture_deg);
+  add_surface_options(*command, options->surfaces);
   add_wavelength(*command, options->wavelength_nm);
   add_format(*command, options->format);
   command->add_flag_callback(

@@ -149,13 +149,6 @@ CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string
       ->type_name("FILE");
 }
 
-void add_aperture(CLI::App& command, double& aperture_deg) {
-  add_number(command, "--aperture", aperture_deg, aperture_range_deg,
-             "angle between the panels in degrees, above 0 to 180")
-      ->type_name("DEG")
-      ->required();
-}
-
 void add_apertures(CLI::App& command, std::vector<double>& apertures_deg) {
   add_numbers(command, "--aperture", apertures_deg, aperture_range_deg,
               "angles between the panels in degrees, above 0 to 180")
@@ -187,10 +180,6 @@ const std::string material_help =
     "0.1249+3.3391i";
 
 }  // namespace
-
-void add_material(CLI::App& command, std::string& specification) {
-  command.add_option("--material", specification, material_help)->type_name(material_placeholder)->required();
-}
 
 void add_materials(CLI::App& command, std::vector<std::string>& specifications) {
   command

@@ -71,10 +71,7 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, int& value, i
 CLI::Option* add_picture(CLI::App& command, const std::string& name, std::string& file,
                          const std::string& help);
 
-/// Adds --aperture, in degrees.
-void add_aperture(CLI::App& command, double& aperture_deg);
-
-/// Adds --aperture for one or several.
+/// Adds --aperture, in degrees, for one or several.
 void add_apertures(CLI::App& command, std::vector<double>& apertures_deg);
 
 /// Adds --wavelength, in nanometres; `wavelength_nm` is its default.
@@ -117,9 +114,6 @@ void add_format(CLI::App& command, Format& format);
 /// How the help shows the value of an option that takes a material, and of one that takes several.
 inline constexpr const char* material_placeholder = "M";
 inline constexpr const char* materials_placeholder = "M[,M...]";
-
-/// Adds --material.
-void add_material(CLI::App& command, std::string& specification);
 
 /// Adds --material for one or several.
 void add_materials(CLI::App& command, std::vector<std::string>& specifications);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/cost/cost_report.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -343,6 +345,46 @@ CostSection cost_of_wavelengths(double aperture_deg, const Material& material) {
         return from_linear_srgb({reflectance.x, reflectance.y, reflectance.z});
       },
       from_linear_srgb({1, 1, 1}));
+  return section;
+}
+
+CostSection cost_of_surface(const SurfaceDescription& surface, double wavelength_nm) {
+  CostSection section{
+      "bi-hemispherical reflectance", "absolute error of the reflectance, against a tolerance of 1e-11", {}};
+  const auto made = make_surface(surface, wavelength_nm, {Polarization::none, all_bounces});
+  const double expected = made->bihemispherical(1e-11).value;
+  for (const int exponent : {-2, -4, -6, -8, -10}) {
+    Integral<double> result{};
+    const double seconds = median_seconds([&] { result = made->bihemispherical(std::pow(10, exponent)); });
+    section.rows.push_back({"quadrature of the surface", power_of_ten(exponent),
+                            std::abs(result.value - expected), seconds, result.evaluations});
+  }
+  return section;
+}
+
+CostSection cost_of_polarization(const SurfaceDescription& surface, double wavelength_nm) {
+  CostSection section{"models of polarisation, map of directions",
+                      "largest absolute error of a reflectance, against full",
+                      {}};
+  const std::vector<Vec3<double>> directions = map_directions();
+  const auto reflectances = [&](const Surface& made) {
+    std::vector<double> result;
+    for (const Vec3<double>& e : directions) result.push_back(made.reflectance(e).unpolarized);
+    return result;
+  };
+  const auto made = [&](Polarization model) {
+    return make_surface(surface, wavelength_nm, {model, all_bounces});
+  };
+  const std::vector<double> expected = reflectances(*made(Polarization::full));
+  for (const Polarization model : {Polarization::none, Polarization::separate, Polarization::full}) {
+    const auto of_model = made(model);
+    std::vector<double> found;
+    const double seconds = median_seconds([&] { found = reflectances(*of_model); });
+    double error = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) error = std::max(error, std::abs(found[i] - expected[i]));
+    section.rows.push_back(
+        {name_of(model), count("directions", static_cast<int>(directions.size())), error, seconds, 0});
+  }
   return section;
 }
 

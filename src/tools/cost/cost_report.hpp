@@ -8,6 +8,7 @@
 
 #include "tools/cost/measurement.hpp"
 #include "tools/materials/material.hpp"
+#include "tools/surfaces/surface_description.hpp"
 
 namespace vcavity::tools {
 
@@ -35,6 +36,13 @@ CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& ind
 /// Colour of a map by the number of wavelengths, against steps of 1 nm.
 /// \return without rows where the material is not known from 400 to 700 nm, or has no colour
 CostSection cost_of_wavelengths(double aperture_deg, const Material& material);
+
+/// The bi-hemispherical reflectance of any surface: its quadrature at one tolerance after the other. The reference is the
+/// same quadrature to 1e-11.
+CostSection cost_of_surface(const SurfaceDescription& surface, double wavelength_nm);
+
+/// Models of polarisation in the reflectance of any surface in some hundred directions; the reference is the full one.
+CostSection cost_of_polarization(const SurfaceDescription& surface, double wavelength_nm);
 
 /// Seconds that the first method of a section would take for an error, extrapolated along the straight line
 /// through its logarithms; infinite if it does not converge.
