@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -30,24 +29,6 @@
 #include "vcavity/numbers/gauss_legendre.hpp"
 
 namespace vcavity::detail {
-
-/// A facet that counts how often it is asked; copies share the counter.
-template <class Facet>
-class CountingFacet {
- public:
-  CountingFacet(const Facet& facet, long long& count) : facet_(&facet), count_(&count) {}
-
-  template <class Argument>
-    requires std::invocable<const Facet&, const Argument&>
-  auto operator()(const Argument& bounce) const {
-    ++*count_;
-    return (*facet_)(bounce);
-  }
-
- private:
-  const Facet* facet_;
-  long long* count_;
-};
 
 /// @tparam Reflectance called with a direction, returns a `Value`
 /// @tparam Cuts called with a direction at ψ = 0 and a vector, to which it appends angles ψ

@@ -19,6 +19,7 @@
 #include "vcavity/groove/asymmetric_groove.hpp"
 #include "vcavity/groove/reflectance.hpp"
 #include "vcavity/hemisphere/adaptive_hemisphere.hpp"
+#include "vcavity/hemisphere/counted_facet.hpp"
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/hemisphere/kinks.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
@@ -101,7 +102,7 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
     throw_invalid_argument(message.str());
   }
   long long evaluations = 0;
-  const detail::CountingFacet<Facet> counted(facet, evaluations);
+  const CountedFacet<Facet> counted(facet, evaluations);
   const auto reflectance = [&](const Vec3<Real>& e) {
     return unpolarized_reflectance(groove, e, counted, max_bounces);
   };

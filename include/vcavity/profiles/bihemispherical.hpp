@@ -8,12 +8,14 @@
 /// the facet for 1e-9.
 
 #include <sstream>
+#include <type_traits>
 #include <vector>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/hemisphere/adaptive_hemisphere.hpp"
 #include "vcavity/hemisphere/asymmetric_bihemispherical.hpp"
 #include "vcavity/hemisphere/bihemispherical.hpp"
+#include "vcavity/hemisphere/counted_facet.hpp"
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/profiles/land.hpp"
@@ -58,8 +60,9 @@ auto bihemispherical_reflectance(
     throw_invalid_argument(message.str());
   }
   long long evaluations = 0;
-  const auto counted = detail::each_facet(
-      facets, [&](const auto& facet) { return detail::CountingFacet(facet, evaluations); });
+  const auto counted = detail::each_facet(facets, [&](const auto& facet) {
+    return CountedFacet<std::remove_cvref_t<decltype(facet)>>(facet, evaluations);
+  });
   const auto reflectance = [&](const Vec3<Real>& e) { return unpolarized_reflectance(profile, e, counted); };
   const auto cuts = [&](const Vec3<Real>& e, std::vector<Real>& elevations) {
     const auto noting = detail::each_facet(facets, [&](const auto& facet) {
