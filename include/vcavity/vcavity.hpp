@@ -51,6 +51,7 @@
 // hemisphere/: light from everywhere.
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/hemisphere/kinks.hpp"
+#include "vcavity/hemisphere/long_series.hpp"
 #include "vcavity/hemisphere/bounce_series.hpp"
 #include "vcavity/hemisphere/facet_singularities.hpp"
 #include "vcavity/hemisphere/cavity_integrand.hpp"

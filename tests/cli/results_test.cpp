@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 #include <tuple>
 #include <vcavity/vcavity.hpp>
 
@@ -191,4 +194,37 @@ TEST_CASE("the paper's figures, tables and report are written, and nothing else"
   for (const auto& entry : std::filesystem::directory_iterator(folder / "results"))
     found.insert(entry.path().filename());
   CHECK(found == expected);
+}
+
+TEST_CASE("a table whose error exceeds the tolerance says so for every such row, and fails") {
+  // Rounding alone is more than this.
+  const Outcome outcome = run("table --material Ag --aperture 45,60 --tolerance 2e-15 --format json");
+  CHECK(outcome.status == 1);
+  const json result = json::parse(outcome.out);
+  REQUIRE(result["rows"].size() == 2);
+  for (const json& row : result["rows"]) CHECK(row["error_estimate"].get<double>() > 2e-15);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 2);
+  CHECK_THAT(outcome.err, Catch::Matchers::ContainsSubstring("60") &&
+                              Catch::Matchers::ContainsSubstring("more than the tolerance of 2e-15"));
+}
+
+TEST_CASE(
+    "planned effects print an error that covers the quadrature's own, and no error where there is none") {
+  for (const char* scene :
+       {"--material 0.11554+8.8894e-05i --aperture 60 --tolerance 1e-2",
+        "--material Ag --aperture 45 --tolerance 1e-3", "--material 1.5 --aperture 1 --tolerance 1e-3"}) {
+    const json planned = result_of(std::string("table --effects auto ") + scene)["rows"][0];
+    const json exact = result_of(std::string("table --polarization full ") + scene)["rows"][0];
+    CAPTURE(scene);
+    CHECK(std::abs(planned["reflectance"].get<double>() - exact["reflectance"].get<double>()) <=
+          planned["error_estimate"].get<double>() + exact["error_estimate"].get<double>());
+    CHECK(planned["error_estimate"].get<double>() <= 1e-2);
+  }
+  for (const char* material : {"1", "1e70"}) {
+    CAPTURE(material);
+    const json row = result_of(
+        std::string("table --effects auto --tolerance 1e-8 --aperture 60 --material ") + material)["rows"][0];
+    CHECK(row["error_estimate"].get<double>() <= 1e-8);
+    CHECK(row["reflectance"].get<double>() == Catch::Approx(material[1] == 0 ? 0 : 1).margin(1e-12));
+  }
 }

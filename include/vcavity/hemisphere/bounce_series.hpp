@@ -25,11 +25,16 @@
 /// number of the bounce.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
+#include "vcavity/hemisphere/long_series.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/polarization/jones.hpp"
@@ -72,9 +77,32 @@ class BounceSeries {
   int size() const { return size_; }
 
   /// @param m number of bounces, from 1 to `size()`
-  const Term& operator[](int m) const {
-    while (static_cast<int>(terms_.size()) < m) terms_.push_back(term(static_cast<int>(terms_.size()) + 1));
-    return terms_[static_cast<std::size_t>(m - 1)];
+  Term operator[](int m) const {
+    const auto index = static_cast<std::size_t>(m - 1);
+    if (index > terms_.size()) return term(m);  // behind terms that were not asked for
+    if (index == terms_.size()) terms_.push_back(term(m));
+    return terms_[index];
+  }
+
+  /// T for a number of bounces that need not be an integer, below `unclipped()`.
+  Real smooth_weight(const Real& m) const {
+    using std::sin;
+    const Real half = cavity_->aperture() / Real(2);
+    return Real(2) * sin(m * half) * sin(half - u_);
+  }
+
+  /// The cosines of u ∓ kα/2.
+  std::array<Real, 2> cosines(const Real& k) const {
+    using std::cos;
+    const Real turn = k * (cavity_->aperture() / Real(2));
+    return {at_least(Real(cos(u_ - turn)), Real(0)), at_least(Real(cos(u_ + turn)), Real(0))};
+  }
+
+  /// The largest number of bounces of rays that lie as far from the apex as those of fewer.
+  int unclipped() const {
+    int m = size_;
+    while (m > 0 && is_clipped(m)) --m;
+    return m;
   }
 
   /// T_(m + 2) + T_(m + 4) + …
@@ -136,6 +164,26 @@ struct SeriesLimits {
   int max_terms;     ///< what comes after as many bounces as this
 };
 
+/// How many terms can be done at once after m bounces: the logarithm of half of them, or less than `min_block_log2`.
+/// @param most the last term of the block at most
+/// @param growth factor from m − 2 to m bounces
+/// @param product of m bounces
+/// @param negligible lanes with less light do not matter
+template <class Value, class Real>
+int block_after(int m, int most, Value growth, Value product, const Real& negligible) {
+  using std::log;
+  int count = std::min(m, most - m) / 2;
+  constexpr Real largest_fall = Real(8);  // of the logarithm; the rules for sums are good for that
+  for (std::size_t lane = 0; lane < PlainNumbers<Value>::count; ++lane) {
+    if (PlainNumbers<Value>::at(product, lane) < negligible) continue;
+    const Real fall = -log(at_least(PlainNumbers<Value>::at(growth, lane), std::numeric_limits<Real>::min()));
+    if (fall * Real(count) > largest_fall) count = static_cast<int>(largest_fall / fall);
+  }
+  int log2 = 0;
+  while (log2 < max_block_log2 && 2 << log2 <= count) ++log2;
+  return log2;
+}
+
 /// A value that knows how many bounces it is the product of: bounces that reflect all light change it all the same.
 template <class Throughput>
 concept CountsBounces = requires(const Throughput& throughput) { throughput.bounces; };
@@ -155,12 +203,14 @@ auto sum_of_series(const BounceSeries<Real>& series, const Facet& facet, const R
   const auto light = [](const Throughput& throughput) { return unpolarized(power(throughput)); };
   const Real total_below = limits.total_below / largest(cosine);
   SeriesValue<Sum, Real> result{Sum(0), Real(0)};
+  int next_block = 64;               // when it pays to do many bounces at once
   Throughput of_odd(1), of_even(1);  // products of an odd and of an even number of bounces
   for (int m = 1; m <= series.size(); ++m) {
-    const auto& term = series[m];
+    const auto term = series[m];
     Throughput& product = m % 2 == 1 ? of_odd : of_even;
     const Throughput first = at(term.cosine_first, term.sine_first, m / 2);
-    product = m == 1 ? first : first * product * at(term.cosine_last, term.sine_last, m / 2 + m - 1);
+    const Throughput last = m == 1 ? Throughput(1) : at(term.cosine_last, term.sine_last, m / 2 + m - 1);
+    product = first * product * last;
     result.value = result.value + scaled(term.weight, light(product));
     if (m % 2 == 0 && m < series.size()) {
       const Real odd_rest = series[m - 1].rest;
@@ -168,8 +218,35 @@ auto sum_of_series(const BounceSeries<Real>& series, const Facet& facet, const R
       const bool is_total = !CountsBounces<Throughput> && series[m - 1].cosine_first <= total_below;
       if (is_total || left <= limits.negligible || m >= limits.max_terms) {
         result.value = result.value + scaled(odd_rest, light(of_odd)) + scaled(term.rest, light(of_even));
-        if (!is_total) result.left_out = left;
+        if (!is_total) result.left_out += left;
         break;
+      }
+      if constexpr (PlainNumbers<Throughput>::count > 0 && std::is_floating_point_v<Real> &&
+                    std::invocable<const Facet&, const Reals&>) {
+        if (m < next_block) continue;
+        const int log2 = block_after(m, series.unclipped(), first * last, product, limits.negligible);
+        next_block = m + 16;
+        if (log2 < min_block_log2) continue;
+        const auto block = sum_of_block<Real>(
+            m, log2,
+            [&](const Real& k) {
+              const auto [before, after] = series.cosines(k);
+              return facet(Reals(before * cosine)) * facet(Reals(after * cosine));
+            },
+            [&](const Real& bounces) { return series.smooth_weight(bounces); },
+            SeriesProducts<Throughput>{of_odd, of_even});
+        const Real error = block.uncertain * left;
+        constexpr Real small = Real(0.01);
+        if (!(error <= small * limits.negligible)) {
+          next_block = m + (2 << log2);
+          continue;
+        }
+        result.value = result.value + block.value;
+        result.left_out += error;
+        of_odd = block.products.of_odd;
+        of_even = block.products.of_even;
+        m += 2 << log2;
+        next_block = m + 2;
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <concepts>
+#include <numbers>
 #include <vector>
 
 #include "vcavity/groove/reflectance.hpp"
@@ -102,12 +103,15 @@ class CavityIntegrand {
   QuadraturePiece<Real> piece_across(const Real& low, const Real& high) const {
     // Bounces at the angles u + kα/2; those count that come nearest to a singularity.
     const double half = static_cast<double>(cavity_->aperture()) / 2;
-    const int most = std::min(max_bounces_, cavity_->max_bounces()) - 1;
+    const double middle = static_cast<double>(low + high) / 2;
+    const double upright = std::numbers::pi / 2;
+    const double most =
+        std::min(std::min(max_bounces_, cavity_->max_bounces()) - 1.0, std::floor((upright - middle) / half));
     std::vector<double> bounces;
     for (const std::complex<double>& cosine : singularities_.cosines()) {
       const double nearest = std::abs(std::acos(cosine).real()) / half;
       for (int step = -1; step <= 2; ++step)
-        bounces.push_back(std::clamp(std::floor(nearest) + step, -1.0 * most, 1.0 * most) * half);
+        bounces.push_back(std::clamp(std::floor(nearest) + step, 0.0, most) * half);
     }
     std::sort(bounces.begin(), bounces.end());
     bounces.erase(std::unique(bounces.begin(), bounces.end()), bounces.end());
@@ -192,9 +196,13 @@ class CavityIntegrand {
     /// The critical angles of all bounces, as far as light comes there.
     void find_critical_angles() {
       const FacetSingularities<Real>& facet = integrand_->singularities_;
-      std::vector<CriticalAngle<Real>> descending;
+      std::vector<CriticalAngle<Real>> descending, nearly;
       const auto add = [&](const Real& cos_across) {
-        if (!(cos_across > facet.critical())) return false;
+        if (!(cos_across > facet.critical())) {
+          // Not critical at any ψ, but next to it at ψ = 0.
+          if (cos_across > Real(0)) nearly.push_back({Real(0), static_cast<double>(cos_across)});
+          return false;
+        }
         descending.push_back(facet.critical_angle(cos_across));
         return true;
       };
@@ -217,6 +225,9 @@ class CavityIntegrand {
         if (angle.at < end() &&
             (cuts_.empty() || static_cast<double>(angle.at - cuts_.back().at) > 2 * facet.blur(angle)))
           cuts_.push_back(angle);
+      constexpr bool has_phase = !std::invocable<const Facet&, const Real&>;
+      if (has_phase || !(facet.total_below() > Real(0)))
+        angles_.insert(angles_.begin(), nearly.begin(), nearly.end());
     }
 
     const CavityIntegrand* integrand_;
