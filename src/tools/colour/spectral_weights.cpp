@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <sstream>
 #include <utility>
 
@@ -50,19 +51,33 @@ double at_or_zero(const LinearTable& table, double wavelength_nm) {
   return covers(table, wavelength_nm) ? table.at(wavelength_nm) : 0;
 }
 
-void check_equally_spaced(std::span<const double> wavelengths_nm) {
+void check_ascending(std::span<const double> wavelengths_nm) {
   if (wavelengths_nm.empty()) throw UsageError("a colour needs at least one wavelength");
-  const double steps = static_cast<double>(wavelengths_nm.size() - 1);
-  const double step = steps > 0 ? (wavelengths_nm.back() - wavelengths_nm.front()) / steps : 1;
-  // A grid made by adding a rounded step is off by less than this share of a step.
-  constexpr double rounding = 1e-6;
-  for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
-    const double expected = wavelengths_nm.front() + static_cast<double>(i) * step;
-    if (!(step > 0 && std::abs(wavelengths_nm[i] - expected) <= rounding * step)) {
+  for (std::size_t i = 0; i < wavelengths_nm.size(); ++i)
+    if (!std::isfinite(wavelengths_nm[i]) || (i > 0 && !(wavelengths_nm[i] > wavelengths_nm[i - 1])))
       throw UsageError("wavelength " + text_of(wavelengths_nm[i]) +
-                       " nm breaks the grid: a colour needs ascending wavelengths in equal steps");
-    }
-  }
+                       " nm breaks the grid: a colour needs ascending wavelengths");
+}
+
+/// All points of the grid, and those of the tables between its ends; ascending.
+std::vector<double> points_of_sum(std::span<const double> grid_nm,
+                                  std::initializer_list<const LinearTable*> tables) {
+  std::vector<double> points(grid_nm.begin(), grid_nm.end());
+  for (const LinearTable* table : tables)
+    for (const double nm : table->nodes())
+      if (grid_nm.front() < nm && nm < grid_nm.back()) points.push_back(nm);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// How much of the spectrum a point stands for: half of the distance to either neighbour. The first and the last stand
+/// for as much beyond the end, as in the plain sum.
+double width_of_point(const std::vector<double>& points, std::size_t i) {
+  if (points.size() == 1) return 1;
+  if (i == 0) return points[1] - points[0];
+  if (i + 1 == points.size()) return points[i] - points[i - 1];
+  return (points[i + 1] - points[i - 1]) / 2;
 }
 
 }  // namespace
@@ -73,18 +88,37 @@ SpectralWeights::SpectralWeights(std::span<const double> wavelengths_nm, Illumin
 
 SpectralWeights::SpectralWeights(std::span<const double> wavelengths_nm, const Light& light,
                                  Observer observer) {
-  check_equally_spaced(wavelengths_nm);
+  check_ascending(wavelengths_nm);
   const auto [x_bar, y_bar, z_bar] = read_matching_functions(observer);
+  const std::vector<double> points = points_of_sum(wavelengths_nm, {&light.power, &x_bar, &y_bar, &z_bar});
 
+  weights_.assign(wavelengths_nm.size(), Xyz{0, 0, 0});
   double perfect_y = 0;
-  for (const double nm : wavelengths_nm) {
+  std::size_t above = 0;  // the first wavelength of the grid at the point or above it
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double nm = points[i];
     if (covers(y_bar, nm) && !covers(light.power, nm))
       throw UsageError("light '" + light.name + "' is given from " + text_of(light.power.min_x()) + " to " +
                        text_of(light.power.max_x()) + " nm, which leaves out " + text_of(nm) + " nm");
-    const double power = at_or_zero(light.power, nm);
-    weights_.push_back(
-        {power * at_or_zero(x_bar, nm), power * at_or_zero(y_bar, nm), power * at_or_zero(z_bar, nm)});
-    perfect_y += weights_.back().y;
+    const double power = width_of_point(points, i) * at_or_zero(light.power, nm);
+    const Xyz seen{power * at_or_zero(x_bar, nm), power * at_or_zero(y_bar, nm),
+                   power * at_or_zero(z_bar, nm)};
+    perfect_y += seen.y;
+    // The reflectance at the point is the mean of those of the grid around it, by their distances.
+    while (wavelengths_nm[above] < nm) ++above;
+    const auto add = [&seen, this](std::size_t wavelength, double share) {
+      weights_[wavelength].x += share * seen.x;
+      weights_[wavelength].y += share * seen.y;
+      weights_[wavelength].z += share * seen.z;
+    };
+    if (wavelengths_nm[above] == nm) {
+      add(above, 1);
+    } else {
+      const double below_nm = wavelengths_nm[above - 1];
+      const double share = (nm - below_nm) / (wavelengths_nm[above] - below_nm);
+      add(above - 1, 1 - share);
+      add(above, share);
+    }
   }
   if (!(perfect_y > 0)) {
     throw UsageError("no wavelength from " + text_of(wavelengths_nm.front()) + " to " +

@@ -2,7 +2,9 @@
 #include "tools/commands/options.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <vcavity/groove/lobes.hpp>
 
 #include "tools/support/text_file.hpp"
@@ -181,12 +183,50 @@ const std::string material_help =
 
 }  // namespace
 
+std::vector<std::string> split_list(const std::string& words, std::string_view option) {
+  if (std::error_code ignored; std::filesystem::exists(words, ignored)) return {words};
+  std::vector<std::string> parts(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool escapes =
+        words[i] == '\\' && i + 1 < words.size() && (words[i + 1] == ',' || words[i + 1] == '"');
+    if (escapes) {
+      parts.back() += words[++i];
+    } else if (words[i] == '"') {
+      quoted = !quoted;
+    } else if (words[i] == ',' && !quoted) {
+      parts.emplace_back();
+    } else {
+      parts.back() += words[i];
+    }
+  }
+  if (quoted) throw unexpected(option, words, "a second quotation mark");
+  for (const std::string& part : parts)
+    if (part.empty()) throw unexpected(option, words, "something before and behind every comma");
+  return parts;
+}
+
 void add_materials(CLI::App& command, std::vector<std::string>& specifications) {
   command
-      .add_option("--material", specifications, material_help + "; several separated by commas, or repeat it")
+      .add_option_function<std::vector<std::string>>(
+          "--material",
+          [&specifications](const std::vector<std::string>& lists) {
+            specifications.clear();
+            for (const std::string& list : lists)
+              for (std::string& one : split_list(list, "--material"))
+                specifications.push_back(std::move(one));
+          },
+          material_help +
+              "; several separated by commas, or repeat it. A comma in the name of a file is written \\,")
       ->type_name(materials_placeholder)
-      ->delimiter(',')
       ->allow_extra_args(false);
+}
+
+void add_missing_k(CLI::App& command, MissingExtinction& missing) {
+  add_choice(command, "--missing-k", missing,
+             {{"refuse", MissingExtinction::refused}, {"zero", MissingExtinction::zero}},
+             "what k is where a file gives n but, having k elsewhere, no k: refuse the wavelength (default), "
+             "or zero");
 }
 
 void add_polarization(CLI::App& command, Polarization& model) {

@@ -26,7 +26,7 @@ struct Interval {
 inline constexpr Interval aperture_range_deg{0, 180, Interval::Ends::open_low};
 inline constexpr Interval theta_range_deg{0, 90};
 inline constexpr Interval azimuth_range_deg{-360, 360};
-inline constexpr Interval wavelength_range_nm{1, 1e7};
+inline constexpr Interval wavelength_range_nm{0, 1e12, Interval::Ends::open_low};
 inline constexpr Interval film_range_nm{0, 1e6};
 inline constexpr int largest_map = 32768;  ///< pixels along one side
 
@@ -115,8 +115,17 @@ void add_format(CLI::App& command, Format& format);
 inline constexpr const char* material_placeholder = "M";
 inline constexpr const char* materials_placeholder = "M[,M...]";
 
+/// The entries of a list with commas between them. A comma that belongs to an entry is written `\,`, or the entry stands
+/// in double quotes; and the name of a file that exists is one entry, whatever is in it.
+/// @param option its name, for the error
+/// @throws UsageError for an entry that is empty, or a quotation mark without a second one
+std::vector<std::string> split_list(const std::string& words, std::string_view option);
+
 /// Adds --material for one or several.
 void add_materials(CLI::App& command, std::vector<std::string>& specifications);
+
+/// Adds --missing-k.
+void add_missing_k(CLI::App& command, MissingExtinction& missing);
 
 /// Adds --polarization.
 void add_polarization(CLI::App& command, Polarization& model);

@@ -155,6 +155,7 @@ void check(const SurfaceOptions& options) {
 
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
   add_materials(command, options.materials);
+  add_missing_k(command, options.missing_k);
   add_apertures(command, options.apertures_deg);
   add_profile_options(command, options.profiles);
   command
@@ -186,7 +187,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
 std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
   check(options);
   std::vector<SurfaceDescription> surfaces;
-  for (const std::string& name : options.materials) surfaces.push_back({load_material(name), 180});
+  for (const std::string& name : options.materials)
+    surfaces.push_back({load_material(name, options.missing_k), 180});
   for (const std::string& words : options.profiles.panels) {
     const auto [one, two] = panel_materials(words);
     surfaces.push_back({one, 180});

@@ -25,6 +25,7 @@ struct SurfaceOptions {
   std::optional<double> concentration;
   std::vector<Finish> finishes;      ///< of panels with an albedo
   std::vector<std::string> albedos;  ///< in place of materials, see load_albedos()
+  MissingExtinction missing_k = MissingExtinction::refused;
 };
 
 /// Adds --material, --aperture and all others of `SurfaceOptions`.

@@ -303,12 +303,10 @@ CostSection cost_of_wavelengths(double aperture_deg, const Material& material) {
   const auto mapper = [&](int step_nm) {
     std::vector<double> wavelengths_nm;
     for (int nm = low_nm; nm <= high_nm; nm += step_nm) wavelengths_nm.push_back(nm);
-    return DiscMapper({{material, aperture_deg},
-                       wavelengths_nm,
-                       map_size,
-                       all_bounces,
-                       Quantity::reflectance,
-                       Spectrum::colour_only});
+    MapRequest request{{material, aperture_deg}, wavelengths_nm,       map_size, all_bounces,
+                       Quantity::reflectance,    Spectrum::colour_only};
+    request.colour_grid = ColourGrid::as_given;  // the cost of the grid is what is measured
+    return DiscMapper(std::move(request));
   };
   const DiscMapper finest = mapper(1);
   std::vector<Lab> expected;

@@ -2,12 +2,17 @@
 #include "tools/images/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -32,6 +37,36 @@ fs::path behind_links(fs::path path) {
 fs::path next_temporary(const fs::path& folder) {
   static std::atomic<unsigned> count{0};
   return folder / (".vcavity-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
+}
+
+/// The process that a temporary belongs to; nothing for other files.
+std::optional<pid_t> owner_of(const fs::path& file) {
+  const std::string name = file.filename().string();
+  constexpr std::string_view prefix = ".vcavity-";
+  if (!name.starts_with(prefix) || !name.ends_with(".tmp")) return std::nullopt;
+  pid_t owner = 0;
+  const char* const digits = name.data() + prefix.size();
+  const auto [end, error] = std::from_chars(digits, name.data() + name.size(), owner);
+  if (error != std::errc() || end == digits || *end != '-' || owner <= 0) return std::nullopt;
+  return owner;
+}
+
+// Removes temporaries of processes that were killed, once for every folder. Both signs must say so: there is no process
+// of that number here, and nobody, perhaps on another machine, holds the lock of the file.
+void remove_leftovers(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> seen;
+  const std::lock_guard guard(mutex);
+  if (!seen.insert(folder).second) return;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::optional<pid_t> owner = owner_of(entry.path());
+    if (!owner || ::kill(*owner, 0) == 0 || errno != ESRCH) continue;
+    const int descriptor = ::open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+    ::close(descriptor);
+  }
 }
 
 // Writes everything or returns errno.
@@ -79,12 +114,15 @@ void AtomicFile::open() {
   std::error_code error;
   const fs::path folder = special ? fs::temp_directory_path(error) : file_.parent_path();
   if (error) fail(error.value());
+  remove_leftovers(folder);
   do {  // a killed process with our number may have left its file
     temporary_ = next_temporary(folder);
     on_signal_.emplace(temporary_);  // before the file exists, or a signal in between would leave it behind
     descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail(errno);
+  ::flock(descriptor_,
+          LOCK_EX | LOCK_NB);  // for remove_leftovers() of other runs; where there are no locks it is theirs
   if (exists && !special && ::fchmod(descriptor_, existing.st_mode & 07777) != 0) fail(errno);
 }
 

@@ -6,7 +6,8 @@
 /// Everything is written to a temporary file in the folder of the target, which takes the target's place in
 /// one step (rename) only when commit() is called. A failed or interrupted run therefore leaves an earlier
 /// file as it was. Signals that end the process remove the temporary (see removal_on_signal.hpp); only
-/// SIGKILL or a power cut can leave one behind (".vcavity-PID-NUMBER.tmp").
+/// SIGKILL or a power cut can leave one behind (".vcavity-PID-NUMBER.tmp"). The next run that writes into the
+/// folder removes those of processes that are gone.
 
 #include <cstddef>
 #include <cstdint>

@@ -19,11 +19,15 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
+
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {
@@ -154,6 +158,19 @@ struct ExrWriter::Output {
 
 namespace {
 
+// No file says infinity where the result is a number too large for it.
+void check_range(const AtomicFile& file, const ExrHeader& header, std::size_t channel,
+                 std::span<const float> values) {
+  const bool halves = header.number == ExrNumber::float16;
+  const float largest = halves ? static_cast<float>(HALF_MAX) : std::numeric_limits<float>::max();
+  for (const float value : values)
+    if (!(std::abs(value) <= largest))
+      throw std::runtime_error("cannot write '" + file.target().string() + "': channel '" +
+                               header.channels[channel] + "' has the value " + exact(value) + ", " +
+                               (halves ? "--precision half" : "a float") + " holds none beyond " +
+                               exact(largest));
+}
+
 // OpenEXR allocates and frees the buffers of every chunk anew; glibc would return their memory to the kernel
 // each time, and fetch it page by page.
 void keep_freed_memory() {
@@ -190,6 +207,7 @@ void ExrWriter::write_rows(int rows, std::span<const std::span<const float>> pla
     throw std::logic_error("write_rows needs one plane for each channel");
 
   const bool halves = header.number == ExrNumber::float16;
+  for (std::size_t c = 0; c < planes.size(); ++c) check_range(output_->file, header, c, planes[c]);
   const std::size_t value_size = halves ? sizeof(half) : sizeof(float);
   std::vector<half> converted(halves ? pixels * planes.size() : 0);
   const Imath::V2i origin(0, output_->rows_written);

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vcavity/vcavity.hpp>
 
+#include "tools/maps/colour_grid.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/error.hpp"
 #include "tools/support/report.hpp"
@@ -46,6 +47,22 @@ std::string in_words(const Viewing& viewing) {
          " of the spectrum under " + load_light(viewing.light).name + ", " +
          (viewing.observer == Observer::cie_1964_10deg ? "CIE 1964 10" : "CIE 1931 2") +
          " degree observer; neither clipped nor adapted to another white";
+}
+
+/// A grid with what its colour needs in between.
+std::vector<double> refined_grid(const MapRequest& request, const LightModel& light) {
+  return refined(request.wavelengths_nm, [&](double wavelength_nm) {
+    const auto surface = make_surface(request.surface, wavelength_nm, light);
+    constexpr double slanting = std::numbers::sqrt2 / 2;
+    return std::pair(surface->reflectance({0, 0, 1}).unpolarized,
+                     surface->reflectance({slanting, 0, slanting}).unpolarized);
+  });
+}
+
+std::string listed(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(exact(number));
+  return joined(words, " ");
 }
 
 /// "tilt_deg" as "tiltDeg".
@@ -85,12 +102,16 @@ std::optional<Vec3<double>> pixel_direction(int column, int row, int size) {
 DiscMapper::DiscMapper(MapRequest request) : request_(std::move(request)) {
   if (request_.quantity == Quantity::degree_of_polarization && request_.polarization == Polarization::none)
     throw UsageError("--quantity dop: light without polarisation, expected --polarization separate or full");
-  for (const double wavelength_nm : request_.wavelengths_nm)
-    surfaces_.push_back(
-        make_surface(request_.surface, wavelength_nm, {request_.polarization, request_.max_bounces}));
+  const LightModel light{request_.polarization, request_.max_bounces};
+  const bool coloured =
+      request_.quantity == Quantity::reflectance && !request_.environment && !request_.light;
+  wavelengths_nm_ = coloured && request_.colour_grid == ColourGrid::refined ? refined_grid(request_, light)
+                                                                            : request_.wavelengths_nm;
+  for (const double wavelength_nm : wavelengths_nm_)
+    surfaces_.push_back(make_surface(request_.surface, wavelength_nm, light));
   check();
   if (by_kernel())
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) indices_.push_back(index(i).value());
+    for (const auto& surface : surfaces_) indices_.push_back(surface->index().value());
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
   } else if (request_.environment) {
@@ -98,11 +119,9 @@ DiscMapper::DiscMapper(MapRequest request) : request_(std::move(request)) {
   } else if (surfaces_.size() == 1) {
     channels_ = {"Y", "A"};
   } else {
-    const auto visible = [](double nm) { return nm >= 360 && nm <= 780; };
-    if (request_.quantity == Quantity::reflectance &&
-        std::any_of(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(), visible)) {
-      weights_.emplace(request_.wavelengths_nm, load_light(request_.viewing.light),
-                       request_.viewing.observer);
+    if (request_.quantity == Quantity::reflectance && !request_.light &&
+        std::any_of(wavelengths_nm_.begin(), wavelengths_nm_.end(), is_visible)) {
+      weights_.emplace(wavelengths_nm_, load_light(request_.viewing.light), request_.viewing.observer);
       channels_ = {"R", "G", "B"};
     }
     channels_.push_back("A");
@@ -136,27 +155,35 @@ ExrAttributes DiscMapper::attributes() const {
   if (weights_) result["colour"] = in_words(request_.viewing);
   if (surfaces_.size() == 1) {
     result["wavelengthNm"] = request_.wavelengths_nm.front();
-    if (const auto only = index(0)) {
-      result["refractiveIndexN"] = only->n;
-      result["extinctionK"] = only->k;
+    if (const auto index = surfaces_.front()->index()) {
+      result["refractiveIndexN"] = index->n;
+      result["extinctionK"] = index->k;
     }
   } else {
-    std::vector<std::string> n, k, nm;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      nm.push_back(exact(request_.wavelengths_nm[i]));
-      if (!index(i)) continue;
-      n.push_back(exact(index(i)->n));
-      k.push_back(exact(index(i)->k));
+    std::vector<std::string> n, k;
+    for (const std::size_t i : requested()) {
+      const auto index = surfaces_[i]->index();
+      if (!index) continue;
+      n.push_back(exact(index->n));
+      k.push_back(exact(index->k));
     }
-    result["wavelengthsNm"] = joined(nm, " ");
+    result["wavelengthsNm"] = listed(request_.wavelengths_nm);
+    if (wavelengths_nm_.size() > request_.wavelengths_nm.size())
+      result["colourWavelengthsNm"] = listed(wavelengths_nm_);
     if (!n.empty()) result["refractiveIndicesN"] = joined(n, " ");
     if (!k.empty()) result["extinctionsK"] = joined(k, " ");
   }
   return result;
 }
 
-std::optional<RefractiveIndex> DiscMapper::index(std::size_t wavelength) const {
-  return surfaces_[wavelength]->index();
+// Which of the wavelengths were asked for.
+std::vector<std::size_t> DiscMapper::requested() const {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < wavelengths_nm_.size(); ++i)
+    if (std::binary_search(request_.wavelengths_nm.begin(), request_.wavelengths_nm.end(),
+                           wavelengths_nm_[i]))
+      places.push_back(i);
+  return places;
 }
 
 // What cannot be computed for this surface. A surface has it in all directions or in none.
@@ -259,9 +286,11 @@ void DiscMapper::put_spectra(std::span<const double> spectra, std::size_t pixels
   const std::size_t wavelengths = surfaces_.size();
   std::size_t channel = 0;
   const auto put_wavelengths = [&] {
-    for (std::size_t i = 0; i < wavelengths; ++i, ++channel)
+    for (const std::size_t i : requested()) {
       for (std::size_t pixel = 0; pixel < pixels; ++pixel)
         put(channel, pixel, spectra[pixel * wavelengths + i]);
+      ++channel;
+    }
   };
   if (wavelengths == 1) put_wavelengths();
   if (weights_) {
@@ -341,11 +370,11 @@ ExrHeader map_header(const DiscMapper& mapper, const Storage& storage) {
           rec2020 ? ExrPrimaries::rec2020 : ExrPrimaries::rec709};
 }
 
-void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int block_rows,
                Progress& progress) {
   ExrWriter writer(file, map_header(mapper, storage));
   const int size = mapper.request().size;
-  const auto rows_of_block = [&](int row) { return std::min(chunks * chunk_rows, size - row); };
+  const auto rows_of_block = [&](int row) { return std::min(block_rows, size - row); };
   const auto compute = [&](int row, Planes memory) {
     return std::async(std::launch::async,
                       [&mapper, row, rows = rows_of_block(row), memory = std::move(memory)]() mutable {

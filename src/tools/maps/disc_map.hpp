@@ -26,6 +26,11 @@ namespace vcavity::tools {
 /// Whether a map of many wavelengths holds a channel for each of them, or only their colour.
 enum class Spectrum { written, colour_only };
 
+/// At which wavelengths the colour of a map is computed: where the reflectance changes between those of the grid by more
+/// than a straight line shows, as with thin films or a table of n and k finer than the grid, also in between; or only at
+/// those of the grid.
+enum class ColourGrid { refined, as_given };
+
 /// How the spectrum of a map becomes a colour.
 struct Viewing {
   std::string light = "D65";  ///< see load_light()
@@ -48,7 +53,7 @@ struct DirectionDeg {
 /// A map to be computed.
 struct MapRequest {
   SurfaceDescription surface;
-  std::vector<double> wavelengths_nm;  ///< one, or an ascending grid of equal steps
+  std::vector<double> wavelengths_nm;  ///< one, or an ascending grid
   int size;                            ///< pixels along one side
   int max_bounces;
   Quantity quantity = Quantity::reflectance;
@@ -59,6 +64,7 @@ struct MapRequest {
   Viewing viewing = {};
   std::optional<DirectionDeg> light =
       std::nullopt;  ///< if given, the map shows the BRDF for light from there
+  ColourGrid colour_grid = ColourGrid::refined;
 };
 
 /// The direction that a pixel shows; nothing outside the disc.
@@ -111,10 +117,11 @@ class DiscMapper {
   void check() const;
   bool by_kernel() const;
   double value(const Surface& surface, const Vec3<double>& e) const;
-  std::optional<RefractiveIndex> index(std::size_t wavelength) const;
+  std::vector<std::size_t> requested() const;
 
   MapRequest request_;
-  std::vector<std::shared_ptr<const Surface>> surfaces_;  // at each wavelength
+  std::vector<double> wavelengths_nm_;  // those of the request, and between them those of the colour
+  std::vector<std::shared_ptr<const Surface>> surfaces_;  // at each of them
   std::vector<RefractiveIndex> indices_;                  // those of the kernel, if it is what computes
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;
@@ -131,9 +138,9 @@ ExrHeader map_header(const DiscMapper& mapper, const Storage& storage);
 
 /// Computes a map and writes it block by block, advancing `progress` by the number of its rows. While one
 /// block is compressed and written, the next is computed.
-/// \param chunks   how many times chunk_rows are in a block; see set_exr_threads() for how many of them are
-///                 compressed at a time
-void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int chunks,
+/// @param block_rows rows of a block, a multiple of rows_per_chunk(); see set_exr_threads() for how many chunks are
+/// compressed at a time
+void write_map(AtomicFile& file, const DiscMapper& mapper, const Storage& storage, int block_rows,
                Progress& progress);
 
 }  // namespace vcavity::tools

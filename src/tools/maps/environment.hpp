@@ -7,7 +7,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 #include <vcavity/conventions.hpp>
-#include <vector>
+
+#include "tools/images/sky.hpp"
 
 namespace vcavity::tools {
 
@@ -18,8 +19,8 @@ namespace vcavity::tools {
 /// the groove looks right, neither mirrored nor upside down.
 class Environment {
  public:
-  /// Reads an OpenEXR image with the channels R, G and B, or Y for grey light.
-  /// Throws std::runtime_error "cannot read 'PATH': REASON", also for other channels.
+  /// Reads an OpenEXR image; see read_sky() for what is understood.
+  /// @throws std::runtime_error "cannot read 'PATH': REASON"
   explicit Environment(const std::filesystem::path& path);
 
   /// The path of the image.
@@ -27,16 +28,14 @@ class Environment {
 
   /// The radiance that comes from a direction; linear between the centres of the pixels, wrapped around in
   /// azimuth.
-  /// \param from   unit vector towards the light
+  /// @param from unit vector towards the light
   glm::dvec3 radiance(const Vec3<double>& from) const;
 
  private:
-  const glm::dvec3& pixel(int column, int row) const;
+  glm::dvec3 pixel(int column, int row) const;
 
   std::string name_;
-  int width_;
-  int height_;
-  std::vector<glm::dvec3> pixels_;
+  SkyImage sky_;
 };
 
 }  // namespace vcavity::tools

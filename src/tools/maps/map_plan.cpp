@@ -82,6 +82,7 @@ std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
         candidate.wavelengths_nm = thinned(full.wavelengths_nm, stride);
         candidate.polarization = polarization;
         candidate.precision = precision;
+        candidate.colour_grid = ColourGrid::as_given;
         if (candidate.wavelengths_nm.size() > 1) candidates.push_back(std::move(candidate));
       }
   std::stable_sort(candidates.begin(), candidates.end(),

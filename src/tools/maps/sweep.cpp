@@ -41,12 +41,12 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw std::runtime_error("cannot write '" + folder.string() + "': " + error.message());
 }
 
-/// Bytes that a chunk of a map takes: its planes, those of the chunk computed meanwhile, OpenEXR's two
+/// Bytes that a row of a map takes: in its planes, those of the block computed meanwhile, OpenEXR's two
 /// buffers, and their compressed copies of half the size.
-std::uint64_t chunk_memory(const MapRequest& request) {
+std::uint64_t row_memory(const MapRequest& request) {
   constexpr std::uint64_t copies = 5;
   constexpr std::uint64_t channels_beside_wavelengths = 4;
-  return copies * static_cast<std::uint64_t>(chunk_rows) * static_cast<std::uint64_t>(request.size) *
+  return copies * static_cast<std::uint64_t>(request.size) *
          (request.wavelengths_nm.size() + channels_beside_wavelengths) * sizeof(float);
 }
 
@@ -74,9 +74,9 @@ std::string map_file_name(const MapRequest& request) {
 }
 
 std::vector<MapFile> name_map_files(const std::vector<MapRequest>& requests, const std::string& out) {
-  const bool folder = requests.size() > 1 || out.ends_with('/') || std::filesystem::is_directory(out);
-  if (!folder) return {{requests.front(), out}};
-  if (out.ends_with(".exr"))
+  const bool exists = std::filesystem::is_directory(out);
+  if (requests.size() == 1 && !exists && !out.ends_with('/')) return {{requests.front(), out}};
+  if (out.ends_with(".exr") && !exists)
     throw UsageError("--out: '" + out + "' is one file for " + std::to_string(requests.size()) +
                      " maps, expected a folder");
   std::vector<MapFile> maps;
@@ -98,23 +98,25 @@ void leave_out_finished(std::vector<MapFile>& maps, const Storage& storage) {
 
 void write_maps(const std::vector<MapFile>& maps, const Storage& storage, Progress& progress) {
   if (maps.empty()) return;
-  const auto write = [&](const MapFile& map, int chunks) {
+  const auto write = [&](const MapFile& map, int block_rows) {
     AtomicFile file(map.path);
-    write_map(file, DiscMapper(map.request), storage, chunks, progress);
+    write_map(file, DiscMapper(map.request), storage, block_rows, progress);
     file.commit();
   };
   constexpr std::uint64_t most_memory = std::uint64_t{1} << 30;
-  const std::uint64_t most_chunks = most_memory / chunk_memory(maps.front().request);
+  const std::uint64_t most_rows = most_memory / row_memory(maps.front().request);
   const int cores = tbb::info::default_concurrency();
-  if (most_chunks >= static_cast<std::uint64_t>(cores) && maps.size() > 1) {
+  if (most_rows >= static_cast<std::uint64_t>(cores * chunk_rows) && maps.size() > 1) {
     set_exr_threads(0);
-    tbb::parallel_for_each(maps.begin(), maps.end(), [&](const MapFile& map) { write(map, 1); });
+    tbb::parallel_for_each(maps.begin(), maps.end(), [&](const MapFile& map) { write(map, chunk_rows); });
   } else {
-    // Several for each core: some chunks take longer than others.
-    const int chunks =
-        static_cast<int>(std::clamp<std::uint64_t>(most_chunks, 1, 4 * static_cast<std::uint64_t>(cores)));
-    set_exr_threads(std::min(chunks, cores));
-    for (const MapFile& map : maps) write(map, chunks);
+    // Several chunks for each core: some take longer than others.
+    const int chunk = rows_per_chunk(storage.compression);
+    const int most_chunks = static_cast<int>(std::min<std::uint64_t>(
+                                most_rows, 4 * static_cast<std::uint64_t>(cores * chunk_rows))) /
+                            chunk;
+    set_exr_threads(std::clamp(most_chunks, 1, cores));
+    for (const MapFile& map : maps) write(map, std::max(most_chunks, 1) * chunk);
   }
 }
 

@@ -34,9 +34,10 @@ std::vector<MapFile> name_map_files(const std::vector<MapRequest>& requests, con
 /// have the same name.
 void leave_out_finished(std::vector<MapFile>& maps, const Storage& storage);
 
-/// Computes maps and writes them, several small ones at a time, large ones one after the other. It
-/// takes about 1 GB of memory at most, for 32 rows of any size and channels fit into that. A failure leaves
-/// every file either as it was or complete. \param progress   advanced by the number of rows
+/// Computes maps and writes them, several small ones at a time, large ones one after the other. Takes about 1 GB of
+/// memory; or more, where the rows that OpenEXR compresses together need it: 20 bytes for every pixel and channel of
+/// rows_per_chunk() rows. A failure leaves every file either as it was or complete.
+/// @param progress advanced by the number of rows
 void write_maps(const std::vector<MapFile>& maps, const Storage& storage, Progress& progress);
 
 }  // namespace vcavity::tools

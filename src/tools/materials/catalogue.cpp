@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -45,8 +46,9 @@ std::set<std::string> source_names(const fs::path& folder) {
   return names;
 }
 
-Material read_source(const fs::path& folder, const std::string& name) {
-  return read_refractiveindex_info(folder / (name + ".yml"), name);
+Material read_source(const fs::path& folder, const std::string& name,
+                     MissingExtinction missing = MissingExtinction::refused) {
+  return read_refractiveindex_info(folder / (name + ".yml"), name, missing);
 }
 
 std::string extension_of(const fs::path& file) {
@@ -56,16 +58,17 @@ std::string extension_of(const fs::path& file) {
 bool is_file(const fs::path& specification) {
   const std::string extension = extension_of(specification);
   return specification.has_parent_path() || extension == ".yml" || extension == ".yaml" ||
-         extension == ".csv" || extension == ".spd";
+         extension == ".csv" || extension == ".tsv" || extension == ".spd";
 }
 
-Material read_file(const fs::path& file) {
+Material read_file(const fs::path& file, MissingExtinction missing) {
   const std::string extension = extension_of(file);
   if (extension == ".yml" || extension == ".yaml")
-    return read_refractiveindex_info(file, file.stem().string());
-  if (extension == ".csv") return read_nk_csv(file);
-  if (extension == ".spd") return read_spd_pair(file);
-  throw UsageError("'" + file.string() + "' is no material file: expected .yml, .yaml, .csv or .spd");
+    return read_refractiveindex_info(file, file.stem().string(), missing);
+  if (extension == ".csv" || extension == ".tsv" || extension == ".txt") return read_nk_csv(file, missing);
+  if (extension == ".spd") return read_spd_pair(file, missing);
+  throw UsageError("'" + file.string() +
+                   "' is no material file: expected .yml, .yaml, .csv, .tsv, .txt or .spd");
 }
 
 /// N or N+Ki, as numbers without regard to what is physical; nothing if the text is no number at all.
@@ -74,7 +77,9 @@ std::optional<RefractiveIndex> parse_index(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc()) return std::nullopt;
+    if (error == std::errc::invalid_argument) return std::nullopt;
+    if (error == std::errc::result_out_of_range)
+      value = std::numeric_limits<double>::infinity();  // a number all the same
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return value;
   };
@@ -100,10 +105,10 @@ std::vector<CatalogueEntry> list_materials() {
   return entries;
 }
 
-Material load_material(std::string_view specification) {
+Material load_material(std::string_view specification, MissingExtinction missing) {
   const std::string text(specification);
   if (const auto index = parse_index(text)) return Material::from_index(*index, text);
-  if (is_file(text)) return read_file(text);
+  if (is_file(text)) return read_file(text, missing);
 
   const fs::path folder = data_directory() / "nk";
   std::map<std::string, std::string> sources = read_defaults(folder);
@@ -111,10 +116,10 @@ Material load_material(std::string_view specification) {
 
   // First the exact name: Co is cobalt, CO would be carbon monoxide.
   if (const auto exact = sources.find(text); exact != sources.end())
-    return read_source(folder, exact->second);
+    return read_source(folder, exact->second, missing);
   std::vector<std::string> names;
   for (const auto& [name, source] : sources) {
-    if (lower_case(name) == lower_case(text)) return read_source(folder, source);
+    if (lower_case(name) == lower_case(text)) return read_source(folder, source, missing);
     names.push_back(name);
   }
   const auto nearest = nearest_name(text, names);

@@ -40,14 +40,20 @@ struct MaterialRecord {
   std::optional<OpticalConstant> k;  ///< absent: the source is silent, k is taken as 0
 };
 
+/// What k is at wavelengths where the source gives n and, though it has k elsewhere, no k.
+enum class MissingExtinction {
+  refused,  ///< unknown: the wavelength is outside the data
+  zero  ///< 0: the material is taken as transparent there, as glasses are measured only where they are not
+};
+
 /// A material whose refractive index is known over a range of wavelengths.
 class Material {
  public:
-  /// Throws std::runtime_error "FILE:LINE: ..." if n and k have no wavelength in common.
-  explicit Material(MaterialRecord record);
+  /// @throws std::runtime_error "FILE:LINE: ..." if n and k have no wavelength in common.
+  explicit Material(MaterialRecord record, MissingExtinction missing = MissingExtinction::refused);
 
-  /// A material of the same index at every wavelength. Throws UsageError unless n > 0 and k >= 0, both
-  /// finite.
+  /// A material of the same index at every wavelength.
+  /// @throws UsageError unless n > 0 and k >= 0, both within what the library computes with
   static Material from_index(RefractiveIndex index, std::string name);
 
   /// "Cu-Johnson" for a file of the collection, the file's name without extension for others, "1.5" for a
@@ -63,7 +69,7 @@ class Material {
   /// What the source says about the sample; may be empty.
   const std::string& comments() const { return record_.comments; }
 
-  /// Where both n and k are known.
+  /// Where both n and k are known, or taken as 0.
   WavelengthRange range() const { return range_; }
 
   /// Whether the source gives k; if not, k is 0.
@@ -74,14 +80,15 @@ class Material {
 
   /// The index at a wavelength, linear between the points of a table.
   ///
-  /// A negative k of at most 1e-6, noise in the measurement of a transparent material, counts as 0: the
-  /// reflectance changes by less than that. Throws UsageError outside range(): nothing is extrapolated.
-  /// Throws std::runtime_error "FILE:LINE: ..." where the data have n <= 0, a more negative k, or a formula
-  /// has no value.
+  /// A negative k down to -2e-5, noise in the measurement of a transparent material, counts as 0.
+  /// @throws UsageError outside range(): nothing is extrapolated
+  /// @throws std::runtime_error "FILE:LINE: ..." where the data have n <= 0, a more negative k, or a formula has no
+  /// value
   RefractiveIndex at(double wavelength_nm) const;
 
  private:
   MaterialRecord record_;
+  MissingExtinction missing_;
   WavelengthRange range_;
 };
 

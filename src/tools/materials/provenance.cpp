@@ -5,6 +5,8 @@
 #include <set>
 #include <vcavity/version.hpp>
 
+#include "tools/support/utf8.hpp"
+
 namespace vcavity::tools {
 namespace {
 
@@ -33,7 +35,7 @@ std::string shell_word(const std::string& word) {
 void remember_command_line(int argc, const char* const* argv) {
   std::string& line = stored_command_line();
   line = "vcavity_maps";
-  for (int i = 1; i < argc; ++i) line.append(" ").append(shell_word(argv[i]));
+  for (int i = 1; i < argc; ++i) line.append(" ").append(shell_word(valid_utf8(argv[i])));
 }
 
 const std::string& command_line() {

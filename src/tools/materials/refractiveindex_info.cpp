@@ -3,13 +3,16 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "tools/materials/dispersion_formula.hpp"
 #include "tools/materials/tabulated.hpp"
 #include "tools/support/text_file.hpp"
+#include "tools/support/utf8.hpp"
 
 namespace vcavity::tools {
 namespace {
@@ -66,6 +69,9 @@ class DataReader {
   std::optional<OpticalConstant> n() const { return n_; }
   std::optional<OpticalConstant> k() const { return k_; }
 
+  /// Which of two sources of n counts; empty if there is one.
+  const std::string& preference() const { return preference_; }
+
  private:
   YAML::Node scalar(const YAML::Node& entry, const std::string& key) const {
     const YAML::Node value = entry[key];
@@ -74,7 +80,20 @@ class DataReader {
     return value;
   }
 
-  void set(std::optional<OpticalConstant>& constant, OpticalConstant value) const {
+  enum class Source { table, formula };
+
+  /// Of a table and a formula for n, the table counts.
+  void set(std::optional<OpticalConstant>& constant, OpticalConstant value, Source source) {
+    if (constant && &constant == &n_ && source != source_of_n_) {
+      const bool is_table = source == Source::table;
+      const int table = is_table ? value.line : constant->line;
+      const int formula = is_table ? constant->line : value.line;
+      preference_ = "n from the table on line " + std::to_string(table) + ", not from the formula on line " +
+                    std::to_string(formula);
+      if (!is_table) return;
+      constant.reset();
+    }
+    if (&constant == &n_) source_of_n_ = source;
     if (constant) {
       throw malformed(file_, value.line,
                       std::string(&constant == &n_ ? "n" : "k") + " was already given by the entry on line " +
@@ -92,7 +111,7 @@ class DataReader {
     const auto rows = parse_rows(data.Scalar(), 1 + columns.size(), file_, first_line);
     if (rows.empty()) throw malformed(file_, line_of(data), "the table is empty");
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      set(*columns[column], tabulated(rows, column + 1, WavelengthUnit::um, file_, line_of(entry)));
+      set(*columns[column], tabulated(rows, column + 1, 1, file_, line_of(entry)), Source::table);
     }
   }
 
@@ -119,15 +138,19 @@ class DataReader {
     const auto index = [formula, coefficients](double wavelength_um) {
       return index_from_formula(formula, coefficients, wavelength_um);
     };
-    set(n_, {.at = index, .range = {range[0], range[1]}, .file = file_, .line = line_of(entry)});
+    set(n_, {.at = index, .range = {range[0], range[1]}, .file = file_, .line = line_of(entry)},
+        Source::formula);
   }
 
   const fs::path& file_;
   std::optional<OpticalConstant> n_;
   std::optional<OpticalConstant> k_;
+  Source source_of_n_ = Source::table;
+  std::string preference_;
 };
 
-Material read_document(const YAML::Node& root, const fs::path& file, std::string name) {
+Material read_document(const YAML::Node& root, const fs::path& file, std::string name,
+                       MissingExtinction missing) {
   if (!root.IsMap() || !root["DATA"])
     throw malformed(file, 1, "not a file of refractiveindex.info: there is no key DATA");
   const auto text_at = [&root](const char* key) {
@@ -145,21 +168,29 @@ Material read_document(const YAML::Node& root, const fs::path& file, std::string
     throw malformed(file, line_of(data),
                     reader.k() ? "k is given but n is not" : "DATA gives no refractive index n");
   }
+  std::string comments = text_at("COMMENTS");
+  if (!reader.preference().empty()) comments += (comments.empty() ? "" : "; ") + reader.preference();
   return Material({.name = std::move(name),
                    .file = file,
                    .reference = text_at("REFERENCES"),
-                   .comments = text_at("COMMENTS"),
+                   .comments = std::move(comments),
                    .n = *reader.n(),
-                   .k = reader.k()});
+                   .k = reader.k()},
+                  missing);
 }
 
 }  // namespace
 
-Material read_refractiveindex_info(const fs::path& file, std::string name) {
+Material read_refractiveindex_info(const fs::path& file, std::string name, MissingExtinction missing) {
   const std::string text = read_text(file);
+  if (const auto place = first_not_utf8(text))
+    throw malformed(file,
+                    1 + static_cast<int>(std::count(
+                            text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*place), '\n')),
+                    "the text is not UTF-8 but perhaps Latin-1; 'iconv -f latin1 -t utf8' converts it");
   try {
     const YAML::Node root = YAML::Load(text);
-    return read_document(root, file, std::move(name));
+    return read_document(root, file, std::move(name), missing);
   } catch (const YAML::Exception& error) {
     throw malformed(file, error.mark.line + 1, error.msg);
   }

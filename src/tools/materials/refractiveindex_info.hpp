@@ -10,8 +10,9 @@
 /// is not evident:
 /// - rows may stand in any order; rows of the same wavelength are replaced by their mean;
 /// - data for n alone are those of a transparent material, k = 0;
-/// - data for k alone, or for the nonlinear index n2 alone, are an error, and so is n or k given by two
-/// entries;
+/// - where n is given by a formula and by a table, the table counts, for that is what was measured, and the comments say
+///   so; n or k given by two entries otherwise is an error, and so are data for k alone or for the nonlinear index n2
+///   alone;
 /// - negative values of k are an error where they are asked for, see Material::at().
 
 #include <filesystem>
@@ -23,6 +24,7 @@ namespace vcavity::tools {
 
 /// Reads one file. Throws std::runtime_error "FILE:LINE: reason" if it is malformed, "FILE: cannot read:
 /// reason" if it cannot be read. \param name   what to call the material
-Material read_refractiveindex_info(const std::filesystem::path& file, std::string name);
+Material read_refractiveindex_info(const std::filesystem::path& file, std::string name,
+                                   MissingExtinction missing = MissingExtinction::refused);
 
 }  // namespace vcavity::tools

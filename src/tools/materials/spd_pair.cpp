@@ -12,12 +12,12 @@ namespace {
 OpticalConstant read_spd(const std::filesystem::path& file) {
   const auto rows = parse_rows(read_text(file), 2, file);
   if (rows.empty()) throw malformed(file, 1, "the table is empty");
-  return tabulated(rows, 1, WavelengthUnit::nm, file, rows.front().line);
+  return tabulated(rows, 1, nm_per_um, file, rows.front().line);
 }
 
 }  // namespace
 
-Material read_spd_pair(const std::filesystem::path& either) {
+Material read_spd_pair(const std::filesystem::path& either, MissingExtinction missing) {
   const std::filesystem::path without_spd = either.stem();
   const std::string name = without_spd.stem().string();
   if (without_spd.extension() != ".eta" && without_spd.extension() != ".k") {
@@ -31,7 +31,8 @@ Material read_spd_pair(const std::filesystem::path& either) {
                    .reference = eta_file.filename().string() + " and " + k_file.filename().string(),
                    .comments = {},
                    .n = read_spd(eta_file),
-                   .k = read_spd(k_file)});
+                   .k = read_spd(k_file)},
+                  missing);
 }
 
 }  // namespace vcavity::tools

@@ -7,12 +7,12 @@
 
 namespace vcavity::tools {
 
-OpticalConstant tabulated(const std::vector<NumberRow>& rows, std::size_t column, WavelengthUnit unit,
+OpticalConstant tabulated(const std::vector<NumberRow>& rows, std::size_t column, double units_per_um,
                           const std::filesystem::path& file, int line) {
   std::vector<LinearTable::Sample> samples;
   for (const NumberRow& row : rows) {
     if (row.values[0] <= 0) throw malformed(file, row.line, "the wavelength is not above 0");
-    samples.push_back({row.values[0] / static_cast<int>(unit), row.values[column]});
+    samples.push_back({row.values[0] / units_per_um, row.values[column]});
   }
   const LinearTable table(std::move(samples));
   return {.at = [table](double wavelength_um) { return table.at(wavelength_um); },

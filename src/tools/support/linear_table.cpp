@@ -20,6 +20,12 @@ LinearTable::LinearTable(std::vector<Sample> samples) {
   }
 }
 
+std::vector<double> LinearTable::nodes() const {
+  std::vector<double> xs;
+  for (const Sample& sample : samples_) xs.push_back(sample.x);
+  return xs;
+}
+
 double LinearTable::at(double x) const {
   assert(min_x() <= x && x <= max_x());
   const auto above = std::lower_bound(samples_.begin(), samples_.end(), x,

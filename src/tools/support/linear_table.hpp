@@ -22,6 +22,9 @@ class LinearTable {
   double min_x() const { return samples_.front().x; }
   double max_x() const { return samples_.back().x; }
 
+  /// Where the samples are, in ascending order.
+  std::vector<double> nodes() const;
+
   /// The function's value at min_x() <= x <= max_x().
   double at(double x) const;
 
