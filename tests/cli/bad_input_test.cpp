@@ -50,7 +50,7 @@ TEST_CASE("what is no number of the accepted range is refused with option, value
        {a_groove + "--theta 0 --phi 361", "--phi: '361' is not accepted, expected a number from -360 to 360"},
        {a_ray + "45 --position 1.5", "--position: '1.5' is not accepted, expected a number from -1 to 1"},
        {a_ray + "45 --position nan", "--position: 'nan' is not accepted, expected a number from -1 to 1"},
-       {a_ray + "45 --wavelength 0", "--wavelength: '0' is not accepted, expected a number from 1 to 1e+07"},
+       {a_ray + "45 --wavelength 0", "--wavelength: '0' is not accepted, expected a number above 0 to 1e+12"},
        {a_table + "--aperture 45,,60", "--aperture: '' is not accepted, expected a number above 0 to 180"},
        {a_table + "--aperture 30:180:0", "--aperture: '0' is not accepted, expected a number above 0"},
        {a_table + "--aperture 180:30:5",
@@ -109,6 +109,40 @@ TEST_CASE("materials that do not exist are refused, the nearest one is named") {
                       {"materials -1.5", "refractive index '-1.5': " + physical},
                       {"materials 1.5-0.1i", "refractive index '1.5-0.1i': " + physical},
                       {"materials nan", "refractive index 'nan': " + physical}});
+  const std::string domain = "the refractive index n must lie in [4.88535e-77, 2.8948e+76], not be ";
+  check_usage_errors(
+      {{"materials 1e400", "refractive index '1e400': " + domain + "inf"},
+       {a_table.substr(0, 17) + "1e80 --aperture 45", "refractive index '1e80': " + domain + "1e+80"}});
+}
+
+TEST_CASE("lists with nothing before or behind a comma are refused") {
+  const std::string expected = "' is not accepted, expected something before and behind every comma";
+  check_usage_errors(
+      {{"table --aperture 45 --material 1.5,,2", "--material: '1.5,,2" + expected},
+       {"table --aperture 45 --material 1.5,", "--material: '1.5," + expected},
+       {"table --aperture 45 --material ,1.5", "--material: ',1.5" + expected},
+       {"table --aperture 45 --material \"1.5",
+        "--material: '\"1.5' is not accepted, expected a second "
+        "quotation mark"},
+       {a_table + "--aperture 60,", "--aperture: '' is not accepted, expected a number above 0 to 180"}});
+}
+
+TEST_CASE("a file with a comma in its name is a material of every command") {
+  const ScratchFolder folder;
+  put(folder / "Ag,film.csv", "wavelength_nm,n,k\n400,0.2,3\n700,0.3,4\n");
+  for (const std::string name : {"Ag,film.csv", "./Ag,film.csv", "Ag\\,film.csv", "\"Ag,film.csv\"",
+                                 "1.5,Ag\\,film.csv", "\"Ag,film.csv\",1.5"}) {
+    for (const std::string& command :
+         {std::string("table --aperture 60"), std::string("direction --aperture 60 --theta 10 --phi 0"),
+          std::string("map --aperture 60 --size 4 --out maps/")}) {
+      CAPTURE(name, command);
+      const Outcome outcome = run(command + " --material " + name, folder.path());
+      CHECK(outcome.status == 0);
+      CHECK(outcome.err.empty());
+    }
+  }
+  CHECK(run("materials Ag,film.csv", folder.path()).status == 0);
+  CHECK(run("materials Ag,film.csv --plot a.svg", folder.path()).status == 0);
 }
 
 TEST_CASE("a wavelength without data is refused wherever it is asked for") {

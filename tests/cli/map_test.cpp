@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <cmath>
 #include <vcavity/vcavity.hpp>
 
@@ -157,6 +158,66 @@ TEST_CASE("the light of a file is as good as the same light by name") {
   for (std::size_t i = 0; i < own.size(); ++i) CHECK(own[i] == Catch::Approx(named[i]).epsilon(1e-6));
 }
 
+TEST_CASE("a lamp with a line narrower than the grid has the same colour on every grid") {
+  const ScratchFolder folder;
+  std::string rows = "Wavelength (nm);Power\r\n";
+  for (int nm = 380; nm <= 780; ++nm) {
+    const double line = std::exp(-std::pow((nm - 451.3) / 0.8, 2));
+    const double phosphor = 0.02 * std::exp(-std::pow((nm - 570) / 60.0, 2));
+    rows += std::to_string(nm) + ";" + std::to_string(line + phosphor) + "\r\n";
+  }
+  put(folder / "led.csv", rows);
+  const auto colour = [&](int step) {
+    const std::string grid = "400:700:" + std::to_string(step);
+    REQUIRE(
+        run("map --material Cu --aperture 60 --size 1 --illuminant led.csv --out a.exr --wavelengths " + grid,
+            folder.path())
+            .status == 0);
+    const ExrImage image = tools::read_exr(folder / "a.exr");
+    return std::array{image.plane("R")[0], image.plane("G")[0], image.plane("B")[0]};
+  };
+  const auto expected = colour(1);
+  for (const int step : {5, 10, 20})
+    for (std::size_t i = 0; i < 3; ++i) {
+      CAPTURE(step, i);
+      CHECK(colour(step)[i] == Catch::Approx(expected[i]).epsilon(3e-3));
+    }
+}
+
+TEST_CASE(
+    "a table of n and k finer than the grid shows in the colour, and the map says where it was looked at") {
+  // An absorption line at 545 nm, between two wavelengths of the coarse grid.
+  const ScratchFolder folder;
+  std::string rows = "wavelength_nm,n,k\n400,1.5,0\n541,1.5,0\n545,1.5,3\n549,1.5,0\n700,1.5,0\n";
+  put(folder / "line.csv", rows);
+  const auto map = [&](int step) {
+    REQUIRE(run("map --material ./line.csv --aperture 60 --size 1 --out a.exr --wavelengths 400:700:" +
+                    std::to_string(step),
+                folder.path())
+                .status == 0);
+    return tools::read_exr(folder / "a.exr");
+  };
+  const ExrImage fine = map(1), coarse = map(20);
+  for (const char* channel : {"R", "G", "B"})
+    CHECK(coarse.plane(channel)[0] == Catch::Approx(fine.plane(channel)[0]).epsilon(2e-2));
+  CHECK(text(coarse, "colourWavelengthsNm").find(" 545 ") != std::string::npos);
+  CHECK(coarse.channels.size() == 4 + 16);
+  CHECK(fine.attributes.count("colourWavelengthsNm") == 0);
+}
+
+TEST_CASE("a sun too bright for half numbers is refused, not infinite") {
+  const ScratchFolder folder;
+  ExrImage sky{4, 2, {{"Y", std::vector<float>(8, 3e6f)}}, {}};
+  tools::write_exr(folder / "sky.exr", sky);
+  const std::string map = "map --material Ag --aperture 60 --size 4 --environment sky.exr --out a.exr";
+  const Outcome outcome = run(map + " --precision half", folder.path());
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.starts_with("vcavity_maps: cannot write 'a.exr': channel 'R' has the value "));
+  CHECK(outcome.err.ends_with("--precision half holds none beyond 65504\n"));
+  CHECK_FALSE(std::filesystem::exists(folder / "a.exr"));
+  CHECK(run(map, folder.path()).status == 0);
+}
+
 TEST_CASE("lights that are no lights are refused") {
   const ScratchFolder folder;
   put(folder / "negative.csv", "400 1\n700 -1\n");
@@ -174,5 +235,5 @@ TEST_CASE("lights that are no lights are refused") {
   refused("lamp.csv", 1, "lamp.csv: cannot read: No such file or directory");
   refused("negative.csv", 1, "negative.csv:2: the power of a light must not be negative");
   refused("dark.csv", 1, "dark.csv:1: there is no light: expected lines of wavelength in nm and power");
-  refused("short.csv", 2, "light 'short.csv' is given from 400 to 600 nm, which leaves out 620 nm");
+  refused("short.csv", 2, "light 'short.csv' is given from 400 to 600 nm, which leaves out 605 nm");
 }

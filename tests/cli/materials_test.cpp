@@ -42,6 +42,37 @@ TEST_CASE("a file is a material like any other") {
   CHECK(mine["range_um"] == json{0.5, 0.6});
 }
 
+TEST_CASE("names of files that are not UTF-8 reach neither JSON nor pictures as they are") {
+  const ScratchFolder folder;
+  const std::string name = "M\xfcller.csv";
+  put(folder / name, "wavelength_nm,n,k\n400,1,2\n700,2,4\n");
+  const Outcome outcome = run("materials " + name + " --format json --plot a.svg", folder.path());
+  CHECK(outcome.status == 0);
+  const json mine = json::parse(outcome.out);
+  CHECK(mine["material"] == "M\uFFFDller");
+  CHECK(mine["command"] == "vcavity_maps materials 'M\uFFFDller.csv' --format json --plot a.svg");
+  for (const std::string& command : {std::string("table --aperture 60 --format json"),
+                                     std::string("direction --aperture 60 --theta 0 --phi 0 --format json"),
+                                     std::string("map --aperture 60 --size 4 --out a.exr --png a.png")})
+    CHECK(run(command + " --material " + name, folder.path()).status == 0);
+}
+
+TEST_CASE("k that a file does not give at a wavelength is 0 on request, in every command") {
+  const ScratchFolder folder;
+  put(folder / "glass.csv", "wl,n\n0.4,1.5\n0.7,1.5\n\nwl,k\n0.6,1e-3\n0.7,1e-3\n");
+  for (const std::string command :
+       {"table --aperture 60 --wavelength 500 --material", "materials --wavelength 500",
+        "direction --aperture 60 --theta 0 --phi 0 --wavelength 500 --material"}) {
+    const Outcome refused = run(command + " glass.csv", folder.path());
+    CHECK(refused.status == 2);
+    CHECK(refused.err ==
+          "vcavity_maps: wavelength 500 nm is outside the data of k of glass, 600 to 700 nm, though n is 1.5 "
+          "there; "
+          "--missing-k zero takes k as 0 where only n is given\n");
+    CHECK(run(command + " glass.csv --missing-k zero", folder.path()).status == 0);
+  }
+}
+
 TEST_CASE("without a wavelength a material has no index but still a range") {
   const json silver = json::parse(run("materials Ag --format json").out);
   CHECK_FALSE(silver.contains("n"));

@@ -126,6 +126,36 @@ TEST_CASE("JSON of a direction has the absorptance of the model that was asked f
         unpolarized(directional_absorptance(cavity, e, separately_polarized(silver))));
 }
 
+TEST_CASE("several directions, positions, apertures and wavelengths give a row for every combination") {
+  const json result = result_of(
+      "direction --material Ag,1.5 --aperture 45,60 --theta 0:60:30 --phi 20,40 --wavelength 500,600 "
+      "--position 0.2,0.3");
+  CHECK(result["rows"].size() == 2 * 2 * 3 * 2 * 2 * 2);
+  std::set<std::string> different;
+  for (const json& row : result["rows"]) different.insert(row.dump());
+  CHECK(different.size() == result["rows"].size());
+  const json single =
+      result_of("direction --material 1.5 --aperture 60 --theta 60 --phi 40 --wavelength 600 --position 0.3");
+  for (const char* key : {"theta_deg", "n", "reflectance", "absorptance", "lobes", "ray"})
+    CHECK(result["rows"].back()[key] == single[key]);
+
+  const Outcome csv = run("direction --material 1.5 --aperture 60 --theta 10,20 --phi 40 --format csv");
+  const std::vector<std::string> lines = lines_of(csv.out);
+  REQUIRE(lines.size() > 5);
+  CHECK(lines[3].starts_with(
+      "material,aperture_deg,theta_deg,phi_deg,wavelength_nm,n,k,polarization,reflectance,"));
+}
+
+TEST_CASE("a mirror has no BRDF") {
+  const Outcome outcome = run("direction --material 1.5 --aperture 60 --theta 10 --phi 0 --toward 20,30");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err == "vcavity_maps: --toward: a mirror has no BRDF; its lobes say where the light goes\n");
+  CHECK(run("direction --material 1.5 --aperture 60 --theta 10 --phi 0 --toward 20").err ==
+        "vcavity_maps: --toward: '20' is not accepted, expected two angles THETA,PHI\n");
+  CHECK(run("map --material 1.5 --aperture 60 --theta 10 --phi 0 --out a.exr").err ==
+        "vcavity_maps: --theta: a mirror has no BRDF, expected a surface that scatters light\n");
+}
+
 TEST_CASE("a ray is told only where a position is given") {
   CHECK_FALSE(result_of("direction --material 1.5 --aperture 60 --theta 10 --phi 0").contains("ray"));
 }

@@ -137,6 +137,10 @@ TEST_CASE("sweeps that cannot be named are refused before anything is written") 
   };
   CHECK(refusal("--material Cu --aperture 45,60 --out a.exr") ==
         "vcavity_maps: --out: 'a.exr' is one file for 2 maps, expected a folder\n");
+  std::filesystem::create_directory(folder / "folder.exr");
+  CHECK(run("map --size 8 --material Cu --aperture 45 --out folder.exr", folder.path()).status == 0);
+  CHECK(files_in(folder / "folder.exr") == std::set<std::string>{"Cu-Johnson_45deg_550nm.exr"});
+  std::filesystem::remove_all(folder / "folder.exr");
   CHECK(refusal("--material Cu,Cu --aperture 45 --out maps") ==
         "vcavity_maps: two maps would go into 'maps/Cu-Johnson_45deg_550nm.exr'\n");
   CHECK(refusal("--material Cu --aperture 5:180:5 --png a.png") ==

@@ -159,6 +159,28 @@ TEST_CASE("a killed process leaves the earlier file whole and the next run is no
   CHECK(content(folder / "a.csv") == "later");
 }
 
+TEST_CASE("what a killed process left behind goes with the next run in the folder, and nothing else does") {
+  const ScratchFolder folder;
+  {
+    const InterruptedWriter writer(folder / "a.csv");
+    writer.send(SIGKILL);
+    CHECK(writer.end() == SIGKILL);
+  }
+  REQUIRE(folder.names().size() == 1);
+  const std::filesystem::path left_behind = folder / folder.names().front();
+  const InterruptedWriter at_work(folder / "b.csv");
+  const std::string ours = ".vcavity-" + std::to_string(::getpid()) + "-1000000.tmp";
+  for (const std::string& name :
+       {ours, std::string(".vcavity-notes.tmp"), std::string(".vcavity-7"), std::string("x.tmp")})
+    put(folder / name, "");
+  CHECK_FALSE(std::filesystem::exists(left_behind));
+  CHECK(folder.names().size() == 5);
+  write_text(folder / "c.csv", "text");
+  CHECK(folder.names().size() == 6);  // the temporary of the process at work is still there
+  at_work.send(SIGTERM);
+  CHECK(at_work.end() == SIGTERM);
+}
+
 TEST_CASE("a signal that the parent process chose to ignore stays ignored") {
   const ScratchFolder folder;
   const InterruptedWriter writer(folder / "a.csv", InterruptedWriter::Hangup::is_ignored);

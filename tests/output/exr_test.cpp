@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -69,6 +70,24 @@ TEST_CASE("half numbers lose no more than their eleven bits") {
       CHECK(std::abs(rounded - exact) <= std::max(std::ldexp(exact, -11), std::ldexp(1.0f, -25)));
     }
   CHECK(back.plane("R") != image.plane("R"));
+}
+
+TEST_CASE("what a number of the file cannot hold is refused, and never becomes infinity") {
+  const ScratchFolder folder;
+  ExrImage image = rgb_image(4, 4);
+  const auto refusal = [&](float value, ExrNumber number) {
+    image.channels[1].plane[7] = value;
+    return error_of([&] { write_exr(folder / "a.exr", image, number); });
+  };
+  const std::string beginning =
+      "cannot write '" + (folder / "a.exr").string() + "': channel 'G' has the value ";
+  CHECK(refusal(65504, ExrNumber::float16).empty());
+  CHECK(refusal(65505, ExrNumber::float16) == beginning + "65505, --precision half holds none beyond 65504");
+  CHECK(refusal(-3e6f, ExrNumber::float16) ==
+        beginning + "-3000000, --precision half holds none beyond 65504");
+  CHECK(refusal(-3e6f, ExrNumber::float32).empty());
+  CHECK(refusal(std::numeric_limits<float>::infinity(), ExrNumber::float32).starts_with(beginning + "inf"));
+  CHECK(refusal(std::numeric_limits<float>::quiet_NaN(), ExrNumber::float32).starts_with(beginning + "nan"));
 }
 
 TEST_CASE("writing in blocks of rows gives the same file as writing at once") {

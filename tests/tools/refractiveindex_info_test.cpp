@@ -174,14 +174,74 @@ TEST_CASE("n and k without a common wavelength are an error") {
       "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.5\n        0.5 1.4\n"
       "  - type: tabulated k\n    data: |\n        0.6 1e-3\n        0.7 1e-3\n");
   CHECK(file.failure_to_read() ==
-        file.path + ":6: n is given from 400 to 500 nm but k from 600 to 700 nm: no wavelength has both");
+        file.path +
+            ":6: n is given from 400 to 500 nm but k from 600 to 700 nm: no wavelength has both"
+            "; --missing-k zero takes k as 0 where only n is given");
 }
 
-TEST_CASE("n given twice is an error") {
-  const File file(
-      "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 0.7\n    coefficients: 1.5\n"
+TEST_CASE("n given twice by tables or twice by formulas is an error") {
+  const File tables(
+      "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.5\n"
       "  - type: tabulated nk\n    data: |\n        0.4 1.5 0\n");
-  CHECK(file.failure_to_read() == file.path + ":5: n was already given by the entry on line 2");
+  CHECK(tables.failure_to_read() == tables.path + ":5: n was already given by the entry on line 2");
+  const std::string formula = "  - type: formula 5\n    wavelength_range: 0.3 0.7\n    coefficients: 1.5\n";
+  const File formulas("DATA:\n" + formula + formula);
+  CHECK(formulas.failure_to_read() == formulas.path + ":5: n was already given by the entry on line 2");
+  const std::string table = "  - type: tabulated k\n    data: |\n        0.4 0\n";
+  const File extinctions("DATA:\n" + formula + table + table);
+  CHECK(extinctions.failure_to_read() == extinctions.path + ":8: k was already given by the entry on line 5");
+}
+
+TEST_CASE("of a formula and a table for n the table counts, in either order, and the comments say so") {
+  const std::string formula = "  - type: formula 5\n    wavelength_range: 0.3 0.7\n    coefficients: 1.5\n";
+  const std::string table = "  - type: tabulated nk\n    data: |\n        0.4 1.6 0.1\n        0.5 1.8 0.3\n";
+  const Material first = File("COMMENTS: film\nDATA:\n" + formula + table).read();
+  const Material second = File("DATA:\n" + table + formula).read();
+  for (const Material& stuff : {first, second}) {
+    CHECK(stuff.at(400).n == 1.6);
+    CHECK(stuff.at(400).k == 0.1);
+    CHECK_THROWS_AS(stuff.at(600), UsageError);
+  }
+  CHECK(first.comments() == "film; n from the table on line 6, not from the formula on line 3");
+  CHECK(second.comments() == "n from the table on line 2, not from the formula on line 6");
+}
+
+TEST_CASE(
+    "where n is known and k is not the wavelength is refused with what is known, or k is 0 on request") {
+  const File file(
+      "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 2\n    coefficients: 1.5\n"
+      "  - type: tabulated k\n    data: |\n        1 1e-3\n        2 3e-3\n");
+  CHECK(failure<UsageError>([&] { file.read().at(550); }) ==
+        "wavelength 550 nm is outside the data of k of stuff, 1000 to 2000 nm, though n is 1.5 there; "
+        "--missing-k zero "
+        "takes k as 0 where only n is given");
+  CHECK(failure<UsageError>([&] { file.read().at(200); }) ==
+        "wavelength 200 nm is outside the data of stuff, 1000 to 2000 nm");
+  const Material glass = read_refractiveindex_info(file.path, "stuff", MissingExtinction::zero);
+  CHECK(glass.at(550).k == 0);
+  CHECK(glass.at(550).n == 1.5);
+  CHECK(glass.at(1500).k == Catch::Approx(2e-3).epsilon(1e-12));
+  CHECK_THROWS_AS(glass.at(200), UsageError);
+  CHECK(glass.reference().ends_with("(k taken as 0 where it is not given)"));
+  const File apart(
+      "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.5\n        0.5 1.4\n"
+      "  - type: tabulated k\n    data: |\n        0.6 1e-3\n        0.7 1e-3\n");
+  CHECK(read_refractiveindex_info(apart.path, "stuff", MissingExtinction::zero).at(450).k == 0);
+}
+
+TEST_CASE("text that is not UTF-8 is refused with its line and how to convert it") {
+  const File latin1(
+      "REFERENCES: me\nCOMMENTS: M\xfcller\nDATA:\n  - type: tabulated n\n    data: |\n        0.4 1.5\n");
+  CHECK(latin1.failure_to_read() ==
+        latin1.path + ":2: the text is not UTF-8 but perhaps Latin-1; 'iconv -f latin1 -t utf8' converts it");
+}
+
+TEST_CASE("wavelengths of X-rays and of radio waves are read") {
+  const Material stuff =
+      File("DATA:\n  - type: tabulated nk\n    data: |\n        1e-5 0.99999 1e-6\n        5e4 1.9 0.01\n")
+          .read();
+  CHECK(stuff.at(0.01).n == 0.99999);
+  CHECK(stuff.at(5e7).k == 0.01);
 }
 
 TEST_CASE("what is not a file of refractiveindex.info is refused") {
@@ -218,7 +278,7 @@ TEST_CASE("a formula needs its range, and no more coefficients than it has") {
 
 TEST_CASE("negative k is noise if tiny, else an error where it is asked for") {
   const File file(
-      "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5 -1e-9\n        0.5 1.5 0.1\n        0.6 "
+      "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5 -1e-5\n        0.5 1.5 0.1\n        0.6 "
       "1.5 -0.1\n");
   const Material stuff = file.read();
   CHECK(stuff.at(400).k == 0);

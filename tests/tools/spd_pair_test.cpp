@@ -47,7 +47,9 @@ TEST_CASE("bad rows are reported with the file of the pair they are in") {
         k_file + ":2: expected 2 numbers, found 3");
   folder.write("Cu.k.spd", "\n700 1\n800 2\n");
   CHECK(failure<std::runtime_error>([&] { load_material(eta_file); }) ==
-        k_file + ":2: n is given from 400 to 600 nm but k from 700 to 800 nm: no wavelength has both");
+        k_file +
+            ":2: n is given from 400 to 600 nm but k from 700 to 800 nm: no wavelength has both"
+            "; --missing-k zero takes k as 0 where only n is given");
   folder.write("Cu.k.spd", "400 1\n600 -2\n");
   CHECK(failure<std::runtime_error>([&] { load_material(eta_file).at(600); }) ==
         k_file + ":1: k is -2 at 600 nm; it must not be negative");

@@ -29,7 +29,7 @@ struct LinearRgb {
 };
 
 /// L*a*b* of a colour seen beside a white. Source: CIE 15:2018, section 8.2.1 (ISO/CIE 11664-4).
-/// \param white   of a perfect reflector under the same light, all components > 0
+/// @param white of a perfect reflector under the same light, all components > 0
 Lab to_lab(const Xyz& colour, const Xyz& white);
 
 /// Linear RGB with the primaries and the D65 white of sRGB (IEC 61966-2-1:1999, matrix of eq. 7). Components

@@ -24,7 +24,7 @@ struct Light {
 Light cie_illuminant(Illuminant illuminant);
 
 /// The light that a user's words stand for.
-/// \param specification   `D65`, `E` or `A`, letter case aside, or a file with a wavelength in nm and a power
+/// @param specification `D65`, `E` or `A`, letter case aside, or a file with a wavelength in nm and a power
 /// in
 ///                        every line, separated by a comma or white space; '#' starts a comment
 /// Throws UsageError for a word that is neither; std::runtime_error "FILE: ..." for a file that cannot be

@@ -10,6 +10,7 @@
 #include "tools/commands/options.hpp"
 #include "tools/commands/surface_options.hpp"
 #include "tools/images/plot.hpp"
+#include "tools/images/progress.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/text_table.hpp"
 
@@ -142,18 +143,26 @@ Plot plot_of(const CostSection& section, const std::string& what) {
   return plot;
 }
 
-/// What can be asked of a surface: of a bare symmetric groove how other methods do.
+/// What can be asked of a surface, of a bare symmetric groove how other methods do; with progress while it is measured.
 std::vector<CostSection> sections_of(const SurfaceDescription& surface, double wavelength_nm) {
-  if (!is_bare_symmetric_groove(surface))
-    return {cost_of_surface(surface, wavelength_nm), cost_of_polarization(surface, wavelength_nm)};
+  std::vector<CostSection> sections;
+  const bool bare = is_bare_symmetric_groove(surface);
+  Progress progress(bare ? 5 : 2);
+  const auto add = [&](CostSection section) {
+    if (!section.rows.empty()) sections.push_back(std::move(section));
+    progress.advance();
+  };
+  if (!bare) {
+    add(cost_of_surface(surface, wavelength_nm));
+    add(cost_of_polarization(surface, wavelength_nm));
+    return sections;
+  }
   const RefractiveIndex index = surface.material.at(wavelength_nm);
-  const double aperture_deg = surface.aperture_deg;
-  std::vector<CostSection> sections{cost_of_integrals(aperture_deg, index),
-                                    cost_of_effects(aperture_deg, index), cost_of_map(aperture_deg, index),
-                                    cost_of_polarization(aperture_deg, index)};
-  if (CostSection wavelengths = cost_of_wavelengths(aperture_deg, surface.material);
-      !wavelengths.rows.empty())
-    sections.push_back(std::move(wavelengths));
+  add(cost_of_integrals(surface.aperture_deg, index));
+  add(cost_of_effects(surface.aperture_deg, index));
+  add(cost_of_map(surface.aperture_deg, index));
+  add(cost_of_polarization(surface.aperture_deg, index));
+  add(cost_of_wavelengths(surface.aperture_deg, surface.material));
   return sections;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/material_plot.hpp"
@@ -10,6 +11,7 @@
 #include "tools/materials/catalogue.hpp"
 #include "tools/materials/facet.hpp"
 #include "tools/materials/provenance.hpp"
+#include "tools/support/report.hpp"
 #include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
@@ -18,72 +20,60 @@ namespace {
 struct MaterialsOptions {
   std::optional<std::string> material;  // all of the collection unless given
   std::optional<double> wavelength_nm;
+  MissingExtinction missing_k = MissingExtinction::refused;
   std::string plot;  // empty: none
   Format format = Format::md;
 };
 
 void list_collection(Format format) {
-  const std::vector<CatalogueEntry> entries = list_materials();
-  if (format == Format::json) {
-    nlohmann::ordered_json json{{"materials", nlohmann::ordered_json::array()}};
-    for (const CatalogueEntry& entry : entries)
-      json["materials"].push_back(
-          {{"name", entry.material.name()},
-           {"default_for", entry.short_names},
-           {"range_um", {entry.material.range().min_um, entry.material.range().max_um}},
-           {"source", entry.material.reference()},
-           {"comments", entry.material.comments()}});
-    std::cout << json.dump(2) << '\n';
-    return;
+  Report report;
+  report.rows_name = "materials";
+  report.provenance = {software(), "command: " + command_line()};
+  for (const CatalogueEntry& entry : list_materials()) {
+    const auto& [min_um, max_um] = entry.material.range();
+    report.add_row()
+        .add("name", entry.material.name())
+        .add_to_json("default_for", entry.short_names)
+        .add_to_tables("default for", joined(entry.short_names, ", "))
+        .add_to_json("range_um", {min_um, max_um})
+        .add_to_tables("from um", exact(min_um))
+        .add_to_tables("to um", exact(max_um))
+        .add("source", entry.material.reference())
+        .add_to_json("comments", entry.material.comments());
   }
-  TextTable table{{"name", "default for", "from um", "to um", "source"}, {}};
-  for (const CatalogueEntry& entry : entries)
-    table.rows.push_back({entry.material.name(), joined(entry.short_names, ", "),
-                          exact(entry.material.range().min_um), exact(entry.material.range().max_um),
-                          entry.material.reference()});
-  if (format == Format::md) {
-    std::cout << to_markdown(table);
-  } else {
-    std::cout << to_csv(table, {software(), "command: " + command_line()});
-  }
+  std::cout << report.in(format);
 }
 
 double normal_reflectance(const RefractiveIndex& index) {
   return with_facet(index, [](const auto& facet) { return facet(1.0); });
 }
 
-void print_json(const Material& material, std::optional<double> wavelength_nm) {
-  nlohmann::ordered_json json{{"material", material.name()}};
+Report report_on(const Material& material, std::optional<double> wavelength_nm) {
+  Report report;
+  report.rows_name.clear();
+  report.provenance = provenance_lines(material);
+  const auto& [min_um, max_um] = material.range();
+  ReportRow& row = report.add_row();
+  row.add_to_tables("name", material.name())
+      .add_to_tables("from um", exact(min_um))
+      .add_to_tables("to um", exact(max_um));
+  report.head["material"] = material.name();
   if (wavelength_nm) {
     const RefractiveIndex index = material.at(*wavelength_nm);
-    json["wavelength_nm"] = *wavelength_nm;
-    json["n"] = index.n;
-    json["k"] = index.k;
-    json["normal_reflectance"] = normal_reflectance(index);
+    for (const auto& [name, value] :
+         {std::pair("wavelength_nm", *wavelength_nm), std::pair("n", index.n), std::pair("k", index.k),
+          std::pair("normal_reflectance", normal_reflectance(index))}) {
+      report.head[name] = value;
+      row.add_to_tables(name, exact(value), with_digits(value, 8));
+    }
   }
-  json["range_um"] = {material.range().min_um, material.range().max_um};  // JSON writes infinity as null
-  json["source"] = material.reference();
-  json["comments"] = material.comments();
-  json["software"] = software();
-  json["command"] = command_line();
-  std::cout << json.dump(2) << '\n';
-}
-
-void print_table(const Material& material, std::optional<double> wavelength_nm, Format format) {
-  const bool markdown = format == Format::md;
-  const auto number = [markdown](double x) { return markdown ? with_digits(x, 8) : exact(x); };
-  TextTable table{{"name", "from um", "to um"}, {{material.name()}}};
-  std::vector<std::string>& row = table.rows.front();
-  row.insert(row.end(), {exact(material.range().min_um), exact(material.range().max_um)});
-  if (wavelength_nm) {
-    const RefractiveIndex index = material.at(*wavelength_nm);
-    table.heading.insert(table.heading.end(), {"wavelength_nm", "n", "k", "normal_reflectance"});
-    row.insert(row.end(),
-               {exact(*wavelength_nm), exact(index.n), exact(index.k), number(normal_reflectance(index))});
-  }
-  table.heading.push_back("source");
-  row.push_back(material.reference());
-  std::cout << (markdown ? to_markdown(table) : to_csv(table, provenance_lines(material)));
+  row.add_to_tables("source", material.reference());
+  report.head.update({{"range_um", {min_um, max_um}},  // JSON writes infinity as null
+                      {"source", material.reference()},
+                      {"comments", material.comments()},
+                      {"software", software()},
+                      {"command", command_line()}});
+  return report;
 }
 
 void run_materials(const MaterialsOptions& options) {
@@ -91,17 +81,13 @@ void run_materials(const MaterialsOptions& options) {
     list_collection(options.format);
     return;
   }
-  const Material material = load_material(*options.material);
+  const Material material = load_material(*options.material, options.missing_k);
   std::optional<AtomicFile> picture;
   if (!options.plot.empty()) {
     picture.emplace(options.plot);
     write_plots(*picture, material_plots(material));
   }
-  if (options.format == Format::json) {
-    print_json(material, options.wavelength_nm);
-  } else {
-    print_table(material, options.wavelength_nm, options.format);
-  }
+  std::cout << report_on(material, options.wavelength_nm).in(options.format);
   if (picture) picture->commit();
 }
 
@@ -121,6 +107,7 @@ void add_materials_command(CLI::App& program) {
              "also n, k and the normal reflectance at this vacuum wavelength in nanometres")
       ->type_name("NM")
       ->needs(material);
+  add_missing_k(*command, options->missing_k);
   add_picture(*command, "--plot", options->plot,
               "also draw n, k and the normal reflectance over all wavelengths into this file")
       ->needs(material);

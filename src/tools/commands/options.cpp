@@ -32,7 +32,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// \param value   a double, or an optional one
+/// @param value a double, or an optional one
 template <class Value>
 CLI::Option* add_checked_number(CLI::App& command, const std::string& name, Value& value,
                                 const Interval& interval, const std::string& help) {

@@ -34,7 +34,7 @@ inline constexpr int largest_map = 32768;  ///< pixels along one side
 inline constexpr double default_wavelength_nm = 550;
 
 /// The number that a word of the user stands for.
-/// \param option   its name, for the error
+/// @param option its name, for the error
 /// Throws UsageError "OPTION: 'WORD' ..., expected ..." unless it is a finite number inside the interval.
 double checked_number(std::string_view word, std::string_view option, const Interval& interval);
 
@@ -84,7 +84,7 @@ CLI::Option* add_wavelengths(CLI::App& command, std::vector<double>& wavelengths
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected);
 
 /// Adds an option that takes one of a few words, which the help and shell completion then know.
-/// \param choices   the words, without capitals, and what they stand for; see choices_of()
+/// @param choices the words, without capitals, and what they stand for; see choices_of()
 template <class Choice>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& value,
                         const std::vector<std::pair<std::string, Choice>>& choices, const std::string& help) {

@@ -31,11 +31,11 @@ void vary(std::vector<SurfaceDescription>& surfaces, const std::vector<Value>& v
 }
 
 /// A film of each thickness that `M:NM` names, where NM may be a list or a range.
-std::vector<FilmLayer> films_of(const std::string& words) {
+std::vector<FilmLayer> films_of(const std::string& words, MissingExtinction missing) {
   const auto colon = words.find(':');
   if (colon == words.npos || colon == 0)
     throw unexpected("--film", words, "a material and a thickness in nm, M:NM or M:LO:HI:STEP");
-  const Material material = load_material(words.substr(0, colon));
+  const Material material = load_material(words.substr(0, colon), missing);
   std::vector<FilmLayer> films;
   for (const double thickness_nm : checked_numbers(words.substr(colon + 1), "--film", film_range_nm))
     films.push_back({material, thickness_nm});
@@ -132,7 +132,7 @@ void add_albedo_options(CLI::App& command, SurfaceOptions& options) {
       ->type_name("mirror|matte");
   command
       .add_option_function<std::string>(
-          "--albedo", [&options](const std::string& list) { options.albedos = words_of(list); },
+          "--albedo", [&options](const std::string& list) { options.albedos = split_list(list, "--albedo"); },
           "what panels reflect at any angle: a number from 0 to 1, an sRGB colour such as '#b87333', a CSV "
           "file with wavelength_nm,reflectance, or ONE/TWO for the two panels; a list")
       ->type_name("A[,A...]");
@@ -205,7 +205,7 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
        [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
   surfaces = with_profiles(surfaces, options.profiles);
   for (const std::string& film : options.films)
-    vary(surfaces, films_of(film),
+    vary(surfaces, films_of(film, options.missing_k),
          [](SurfaceDescription& surface, const FilmLayer& layer) { surface.films.push_back(layer); });
   vary(surfaces, options.roughnesses, [&options](SurfaceDescription& surface, const Roughness& roughness) {
     if (!surface.profile.is_plain())

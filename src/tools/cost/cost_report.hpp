@@ -34,7 +34,7 @@ CostSection cost_of_map(double aperture_deg, const RefractiveIndex& index);
 CostSection cost_of_polarization(double aperture_deg, const RefractiveIndex& index);
 
 /// Colour of a map by the number of wavelengths, against steps of 1 nm.
-/// \return without rows where the material is not known from 400 to 700 nm, or has no colour
+/// @return without rows where the material is not known from 400 to 700 nm, or has no colour
 CostSection cost_of_wavelengths(double aperture_deg, const Material& material);
 
 /// The bi-hemispherical reflectance of any surface: its quadrature at one tolerance after the other. The reference is the

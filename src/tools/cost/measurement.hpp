@@ -52,7 +52,7 @@ inline double largest_error(const std::vector<double>& values, const std::vector
 }
 
 /// Counts, times and compares one computation.
-/// \param compute   called with the facet, returns as many values as `expected` has
+/// @param compute called with the facet, returns as many values as `expected` has
 template <class Facet, class Compute>
 Measurement measure(std::string method, std::string setting, const Facet& facet,
                     const std::vector<double>& expected, Compute&& compute) {

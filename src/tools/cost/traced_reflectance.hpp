@@ -20,8 +20,8 @@ struct TracedReflectance {
 using DiffuseTracer = std::function<TracedReflectance(int rays, std::uint64_t seed)>;
 
 /// A tracer for grooves of one material, in the paper's model of polarisation.
-/// \param aperture   angle between the panels in radians, in (0, π]
-/// \param index   n + ik
+/// @param aperture angle between the panels in radians, in (0, π]
+/// @param index n + ik
 /// Throws std::runtime_error if Embree reports an error.
 DiffuseTracer diffuse_tracer(double aperture, std::complex<double> index);
 

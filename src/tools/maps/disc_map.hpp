@@ -105,7 +105,7 @@ class DiscMapper {
   const Xyz& white() const { return weights_->white(); }
 
   /// Computes `rows` rows from `first_row` on, on all cores.
-  /// \param planes memory to use again, such as the planes of an earlier call
+  /// @param planes memory to use again, such as the planes of an earlier call
   Planes rows(int first_row, int rows, Planes planes = {}) const;
 
  private:

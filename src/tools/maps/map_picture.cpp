@@ -167,7 +167,7 @@ class Labels {
     several_wavelengths_ = wavelengths.size() > 1;
   }
 
-  /// \param what   is seen, with a preposition for the grooves
+  /// @param what is seen, with a preposition for the grooves
   std::string title(const MapRequest& any, const std::string& what) const {
     const bool spectral = any.quantity != Quantity::bounces;
     std::string text = what + " ";
@@ -207,7 +207,7 @@ std::string light_in_words(const MapRequest& any) {
   return words + ", seen from every direction. ";
 }
 
-/// \param white   the luminance that is drawn white, if that is not 1
+/// @param white the luminance that is drawn white, if that is not 1
 std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, const PictureStyle& style,
                                   double white) {
   std::vector<std::string> lines;

@@ -13,14 +13,14 @@
 namespace vcavity::tools {
 
 /// A disc in the colours of a colour bar.
-/// \param image   with the channels Y and A
-/// \param scale   what Y is multiplied by to be found on the bar; 100 makes percent
+/// @param image with the channels Y and A
+/// @param scale what Y is multiplied by to be found on the bar; 100 makes percent
 DiscMap scalar_disc(const ExrImage& image, const std::string& label, const ColourBar& bar,
                     double scale = 100);
 
 /// A disc in the colours that people would see on a display.
-/// \param image   with the channels R, G, B (linear sRGB) and A
-/// \param white   the value of R, G and B that is drawn white
+/// @param image with the channels R, G, B (linear sRGB) and A
+/// @param white the value of R, G and B that is drawn white
 DiscMap colour_disc(const ExrImage& image, const std::string& label, double white = 1);
 
 /// How a page of maps shows them.
@@ -40,9 +40,9 @@ inline constexpr std::size_t most_discs = 24;
 
 /// Computes maps and lays them out on a page with one scale: what they have in common stands in the title and
 /// what distinguishes them above each.
-/// \param requests   one or more that differ only in material, aperture and wavelength, all of one wavelength
+/// @param requests one or more that differ only in material, aperture and wavelength, all of one wavelength
 ///                   or all of the same grid; their `size` and `spectrum` do not matter
-/// \param progress   advanced by picture_size for each of them
+/// @param progress advanced by picture_size for each of them
 /// Throws UsageError for a grid of wavelengths that has no colour.
 Sheet map_sheet(std::vector<MapRequest> requests, const PictureStyle& style, Progress& progress);
 

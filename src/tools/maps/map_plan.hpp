@@ -33,8 +33,8 @@ struct MapPlan {
 MapPlan plan_map(MapRequest request, double tolerance);
 
 /// The same map in float if rounding keeps within a tolerance then, else in double; nothing else is left out.
-/// \param tolerance   absolute error of the reflectance or absorptance at every wavelength
-/// \param stored      how its numbers are stored, which rounds them too
+/// @param tolerance absolute error of the reflectance or absorptance at every wavelength
+/// @param stored how its numbers are stored, which rounds them too
 /// Throws UsageError for a tolerance that not even double and this storage can promise, and for a map of
 /// another quantity.
 MapPlan plan_precision(MapRequest request, double tolerance, ExrNumber stored);

@@ -23,7 +23,7 @@ struct MapFile {
 std::string map_file_name(const MapRequest& request);
 
 /// Says which file each map goes into.
-/// \param out   a folder, made if missing, where each map gets the file map_file_name(); or, if there is only
+/// @param out a folder, made if missing, where each map gets the file map_file_name(); or, if there is only
 ///              one map and no folder of that name, its file
 /// Throws UsageError if two maps would go into the same file, or if there are several and `out` ends in .exr;
 /// std::runtime_error if the folder cannot be made.

@@ -21,7 +21,7 @@ struct CatalogueEntry {
 std::vector<CatalogueEntry> list_materials();
 
 /// The material that a user's words stand for.
-/// \param specification   one of
+/// @param specification one of
 ///        - a name in data/nk, letter case aside: `Cu-Johnson`, or `Cu` for the default source
 ///        (data/nk/defaults.yml);
 ///        - a file, recognised by a slash or its extension: .yml or .yaml of refractiveindex.info, .csv, .tsv or

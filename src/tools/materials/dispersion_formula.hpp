@@ -21,12 +21,11 @@ std::optional<std::size_t> most_coefficients(int formula);
 std::optional<std::size_t> incomplete_term(int formula, std::span<const double> coefficients);
 
 /// The refractive index n given by a dispersion formula.
-/// \param formula         1 Sellmeier, 2 Sellmeier with squared resonances given, 3 polynomial, 4 the
-/// database's own,
-///                        5 Cauchy, 6 gases, 7 Herzberger, 8 retro, 9 exotic
-/// \param coefficients    C1, C2, ... ; absent ones are 0
-/// \param wavelength_um   vacuum wavelength, > 0
-/// \return n; NaN or infinity where the formula has no real value
+/// @param formula 1 Sellmeier, 2 Sellmeier with squared resonances given, 3 polynomial, 4 the database's own, 5 Cauchy,
+/// 6 gases, 7 Herzberger, 8 retro, 9 exotic
+/// @param coefficients C1, C2, ... ; absent ones are 0
+/// @param wavelength_um vacuum wavelength, > 0
+/// @return n; NaN or infinity where the formula has no real value
 double index_from_formula(int formula, std::span<const double> coefficients, double wavelength_um);
 
 }  // namespace vcavity::tools

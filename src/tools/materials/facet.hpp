@@ -11,7 +11,7 @@
 namespace vcavity::tools {
 
 /// Calls `use` with the facet reflectance of an index: `Dielectric` without absorption, else `Conductor`.
-/// \return what `use` returns
+/// @return what `use` returns
 template <class Use>
 auto with_facet(const RefractiveIndex& index, Use&& use) {
   if (index.k == 0) return use(Dielectric<double>(index.n));
@@ -22,7 +22,7 @@ auto with_facet(const RefractiveIndex& index, Use&& use) {
 enum class Polarization { none, separate, full };
 
 /// Calls `use` with the facet reflectance in a model of polarisation.
-/// \return what `use` returns, of one type for all models
+/// @return what `use` returns, of one type for all models
 template <class Facet, class Use>
 auto with_polarization(Polarization model, const Facet& facet, Use&& use) {
   switch (model) {

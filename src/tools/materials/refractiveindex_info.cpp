@@ -102,7 +102,7 @@ class DataReader {
     constant = std::move(value);
   }
 
-  /// \param columns   what the columns after that of the wavelength hold
+  /// @param columns what the columns after that of the wavelength hold
   void read_table(const YAML::Node& entry, const std::vector<std::optional<OpticalConstant>*>& columns) {
     const YAML::Node data = scalar(entry, "data");
     // yaml-cpp marks a block ("|") where its indicator stands, the line above its content; such texts carry

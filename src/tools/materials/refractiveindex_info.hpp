@@ -22,8 +22,10 @@
 
 namespace vcavity::tools {
 
-/// Reads one file. Throws std::runtime_error "FILE:LINE: reason" if it is malformed, "FILE: cannot read:
-/// reason" if it cannot be read. \param name   what to call the material
+/// Reads one file.
+/// @param name what to call the material
+/// @param missing what k is where the file has n but no k
+/// @throws std::runtime_error "FILE:LINE: reason" if it is malformed, "FILE: cannot read: reason" if it cannot be read
 Material read_refractiveindex_info(const std::filesystem::path& file, std::string name,
                                    MissingExtinction missing = MissingExtinction::refused);
 

@@ -16,7 +16,7 @@
 namespace vcavity::tools {
 
 /// Reads both files of a pair; the material is called X.
-/// \param either   X.eta.spd or X.k.spd
+/// @param either X.eta.spd or X.k.spd
 /// Throws UsageError if the name has neither ending; std::runtime_error "FILE:LINE: reason" if a file is
 /// malformed, "FILE: cannot read: reason" if one cannot be read.
 Material read_spd_pair(const std::filesystem::path& either,

@@ -16,7 +16,7 @@ class LinearTable {
     double y;
   };
 
-  /// \param samples   at least one, in any order; those at the same x are replaced by their mean
+  /// @param samples at least one, in any order; those at the same x are replaced by their mean
   explicit LinearTable(std::vector<Sample> samples);
 
   double min_x() const { return samples_.front().x; }

@@ -39,10 +39,10 @@ struct NumberRow {
 };
 
 /// A table of numbers. Empty lines and everything after '#' are skipped.
-/// \param text         the table
-/// \param columns      how many numbers every row must have
-/// \param file         where the text is from, for errors
-/// \param first_line   line of the file on which the text starts
+/// @param text the table
+/// @param columns how many numbers every row must have
+/// @param file where the text is from, for errors
+/// @param first_line line of the file on which the text starts
 /// Throws malformed() where a row is not made of `columns` finite numbers.
 std::vector<NumberRow> parse_rows(std::string_view text, std::size_t columns,
                                   const std::filesystem::path& file, int first_line = 1);

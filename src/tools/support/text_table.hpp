@@ -19,7 +19,7 @@ struct TextTable {
 std::string to_markdown(const TextTable& table);
 
 /// Comma-separated values with the heading first and `#` lines of provenance before it; RFC 4180 quoting.
-/// \param provenance   one line each
+/// @param provenance one line each
 std::string to_csv(const TextTable& table, const std::vector<std::string>& provenance);
 
 /// Words with a separator between each two.
