@@ -225,7 +225,7 @@ TEST_CASE("a mirror of many films transmits what the textbook says, in double as
     }
     return Coated(Dielectric<Real>(static_cast<Real>(glass)), films).absorptance(Real(1));
   };
-  for (const std::size_t pairs : {3, 20, 80, 300}) {
+  for (const std::size_t pairs : {3u, 20u, 80u, 300u}) {
     const double log_admittance = static_cast<double>(2 * pairs + 2) * std::log(high) -
                                   static_cast<double>(2 * pairs) * std::log(low) - std::log(glass);
     const double exact = std::exp(std::log(4) - log_admittance - 2 * std::log1p(std::exp(-log_admittance)));

@@ -90,8 +90,8 @@ static_assert(tells_all<Conductor<double>> && tells_all<Dielectric<double>>);
 struct NoSum {
   explicit NoSum(int) {}
   using value_type = double;
-  friend NoSum operator*(const NoSum& a, const NoSum&) { return a; }
-  friend double largest(const NoSum&) { return 0; }
+  [[maybe_unused]] friend NoSum operator*(const NoSum& a, const NoSum&) { return a; }
+  [[maybe_unused]] friend double largest(const NoSum&) { return 0; }
 };
 static_assert(FacetValue<NoSum> && !FacetPower<NoSum>);
 static_assert(!FacetReflectance<decltype([](double) { return NoSum(1); }), double>);
