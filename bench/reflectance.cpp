@@ -2,11 +2,10 @@
 /// Directional reflectance, beside the time of nothing but its Fresnel evaluations.
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "benchmarks.hpp"
+#include "examples/plain_reflectance.hpp"
 #include "scenes.hpp"
 
 namespace vcavity::bench {
@@ -15,64 +14,6 @@ namespace {
 template <class Real, class Facet>
 auto reflectance_of(const Cavity<scalar_t<Real>>& groove, const Facet& facet) {
   return [groove, facet](const Vec3<Real>& e) { return unpolarized_reflectance(groove, e, facet); };
-}
-
-/// The same as one would write it by hand for numbers, with no thought of colour, polarisation or packs: what
-/// the effects cost that are switched off.
-template <class Real>
-class PlainReflectance {
- public:
-  PlainReflectance(const Cavity<Real>& groove, const Conductor<Real>& facet)
-      : groove_(groove), facet_(facet) {
-    for (int k = 0; k <= 2 * groove.max_bounces() + 1; ++k) turns_.push_back(groove.multiple(k));
-  }
-
-  Real operator()(const Vec3<Real>& e) const {
-    const Real across = std::abs(e.y);
-    const Real inverse_width = groove_.inverse_sin_half() / (2 * e.z);
-    const Real other = std::max((turn(1).sine * e.z - turn(1).cosine * across) * inverse_width, Real(0));
-    Real sum = 0;
-    if (other > 0) {  // light reaches both panels directly
-      sum = panel(e.z, across, 1 - other, [&](int, Real cosine) { return cosine * inverse_width; }) +
-            panel(e.z, -across, other, [&](int, Real cosine) { return cosine * inverse_width; });
-    } else {
-      sum = panel(e.z, across, 1, [&](int j, Real) {
-        return turn(j).sine * groove_.inverse_sin_half() *
-               (turn(j - 1).cosine - across / e.z * turn(j - 1).sine);
-      });
-    }
-    return sum;
-  }
-
- private:
-  // One panel met first; `reached(j, c_j)` is the fraction of the opening whose rays come as far as bounce j.
-  template <class Reached>
-  Real panel(Real up, Real across, Real first, const Reached& reached) const {
-    Real sum = 0, throughput = 1, fraction = first;
-    Real cosine = turn(1).sine * up + turn(1).cosine * across;
-    for (int j = 1; fraction > 0; ++j) {
-      throughput *= facet_(cosine);
-      cosine = turn(2 * j + 1).sine * up + turn(2 * j + 1).cosine * across;
-      const Real next = j < groove_.max_bounces() ? std::clamp(reached(j + 1, cosine), Real(0), fraction) : 0;
-      sum += (fraction - next) * throughput;
-      fraction = next;
-    }
-    return sum;
-  }
-
-  const typename Cavity<Real>::Rotation& turn(int k) const { return turns_[static_cast<std::size_t>(k)]; }
-
-  Cavity<Real> groove_;
-  Conductor<Real> facet_;
-  std::vector<typename Cavity<Real>::Rotation> turns_;
-};
-
-/// Its result may differ from the library's by rounding alone.
-void check_plain(const Cavity<double>& groove, const std::vector<Vec3<double>>& directions) {
-  const PlainReflectance<double> plain(groove, silver<double>());
-  for (const Vec3<double>& e : directions)
-    if (std::abs(plain(e) - directional_reflectance(groove, e, silver<double>())) > 1e-12)
-      throw std::logic_error("the plain loop differs from the library");
 }
 
 /// What is left if the bounces of every direction are known beforehand: evaluations, products and weights.
@@ -112,9 +53,33 @@ void add(const std::string& material, const std::string& aperture_deg, const Fac
     add_over("known_ways", "none", known_ways(groove, directions),
              [facet](const RecordedDirection<Real>& way) { return way.reflectance(facet); });
   if constexpr (std::is_same_v<Reals, double> && std::is_same_v<Facet, Conductor<double>>) {
-    check_plain(groove, directions);
-    add_over("plain_loop", "none", directions, PlainReflectance<double>(groove, facet));
+    // What the effects cost that are switched off.
+    add_over("plain_loop", "none", directions, examples::PlainReflectance(groove, facet));
   }
+}
+
+/// A new groove for every direction, as a renderer makes it that shades points of different facets: from the
+/// aperture, from the normal of its facets, and beside them with a groove that is there.
+template <class Real, class Facet>
+void add_new_grooves(const std::string& material, const std::string& aperture_deg, const Facet& facet) {
+  const std::vector<Vec3<Real>> directions = map_directions<Real>();
+  const Cavity<Real> known(radians(Real(std::stod(aperture_deg))));
+  const auto add_row = [&](const char* model, const auto& groove_for) {
+    const std::string name = name_of("new_groove", material, aperture_deg, type_name<Real>, model);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+      // Nobody is to know that they are all the same.
+      Real aperture = known.aperture(), across = known.cos_half(), up = known.sin_half();
+      run_over(state, directions, directions.size(), [&](const Vec3<Real>& e) {
+        benchmark::DoNotOptimize(aperture);
+        benchmark::DoNotOptimize(across);
+        benchmark::DoNotOptimize(up);
+        return directional_reflectance(groove_for(aperture, across, up), e, facet);
+      });
+    });
+  };
+  add_row("shared", [known](Real, Real, Real) -> const Cavity<Real>& { return known; });
+  add_row("from_aperture", [](Real aperture, Real, Real) { return Cavity<Real>(aperture); });
+  add_row("from_normal", [](Real, Real across, Real up) { return Cavity<Real>::from_normal(across, up); });
 }
 
 /// Narrow grooves: time and evaluations of the facet.
@@ -141,6 +106,8 @@ void add_reflectance_benchmarks() {
     add<pack_lanes<float>, float>("silver", aperture_deg, silver<float>());
     add<1, double>("glass", aperture_deg, glass<double>());
     add<pack_lanes<double>, double>("glass", aperture_deg, glass<double>());
+    add_new_grooves<double>("silver", aperture_deg, silver<double>());
+    add_new_grooves<float>("silver", aperture_deg, silver<float>());
   }
   for (const char* aperture_deg : {"90", "45", "20", "10", "5", "2", "1", "0.5", "0.2", "0.1"})
     add_growth(aperture_deg);

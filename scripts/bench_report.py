@@ -18,7 +18,7 @@ from time import monotonic
 
 BEGIN = "<!-- printed by scripts/bench.sh: begin -->\n"
 END = "<!-- printed by scripts/bench.sh: end -->\n"
-COMPUTATIONS = "^(fresnel|reflectance|known_ways|plain_loop|growth|bihemispherical|kernel|bare)"
+COMPUTATIONS = "^(fresnel|reflectance|known_ways|new_groove|plain_loop|growth|bihemispherical|kernel|bare)"
 COMMANDS = "^(map|paper)"
 TOLERANCES = ("1e-3", "1e-5", "1e-7", "1e-10", "1e-13")
 
@@ -115,6 +115,17 @@ def reflectance(results):
             "the lobes are known beforehand. *separate* and *full*: the models of polarisation against none.\n\n" +
             table(["facet", "aperture", "numbers", "computed", "evaluations", "ns", "overhead", "of a plain loop",
                    "of known ways", "separate", "full"], rows))
+
+
+def new_grooves(results):
+    rows = []
+    for material, aperture, number in results.names(r"new_groove/(\w+)/(\d+)/(\w+)/shared"):
+        shared, from_aperture, from_normal = (results.nanoseconds("new_groove", material, aperture, number, model)
+                                              for model in ("shared", "from_aperture", "from_normal"))
+        rows.append([material, f"{aperture}°", number, digits(shared), digits(from_aperture), digits(from_normal)])
+    return ("## A new groove per direction\n\nTime per direction in nanoseconds, with one groove for all directions, with "
+            "a new one for each from its aperture, and from the normal of its facets without trigonometric functions.\n\n" +
+            table(["facet", "aperture", "numbers", "one groove", "from the aperture", "from the normal"], rows))
 
 
 def growth(results):
@@ -384,7 +395,7 @@ def main():
     if options.plot:
         plot(results, options.plot)
     text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts), kernels(results),
-                      maps(results, core_counts), map_growth(results), reflectance(results), bihemispherical(results, sweeps), growth(results),
+                      maps(results, core_counts), map_growth(results), reflectance(results), new_grooves(results), bihemispherical(results, sweeps), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
         print(text)
