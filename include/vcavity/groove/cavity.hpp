@@ -216,7 +216,7 @@ class Cavity {
   Real versine_half_;
   int max_bounces_;
   int tabulated_;
-  std::array<Rotation, most_multiples + 1> multiples_{};
+  std::array<Rotation, most_multiples + 1> multiples_{};  // 0 behind those that are needed
 };
 
 }  // namespace vcavity

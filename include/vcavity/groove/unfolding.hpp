@@ -84,14 +84,15 @@ class UnfoldedRay {
   /// All that a facet may want to know of this bounce.
   Bounce<Real> bounce() const { return {cosine(), tangent_component(), along_, panel_, number_}; }
 
-  /// Steps to the next bounce.
+  /// Steps to the next bounce, or to the image behind the last one, of number `max_bounces() + 1`, but no
+  /// further: one more has the cosine 0.
   void advance() {
     turn(2);
     panel_ = opposite(panel_);
     ++number_;
   }
 
-  /// Steps over several bounces at once.
+  /// Steps over several bounces at once, no further than that either.
   /// @param bounces ≥ 0
   void advance(int bounces) {
     turn(std::int64_t{2} * bounces);
@@ -112,13 +113,13 @@ class UnfoldedRay {
   /// Turns the direction by a multiple of α/2, from the tangent towards the normal.
   VCAVITY_INLINE void turn(std::int64_t multiple) {
     in_table_ += multiple;
-    if (in_table_ > groove_->tabulated_multiples()) start_table_again();
+    if (in_table_ > Groove::most_multiples) start_table_again();
     const auto& turn = groove_->tabulated(in_table_);
     normal_ = turn.sine * table_up_ + turn.cosine * table_across_;
   }
 
   void start_table_again() {
-    const std::int64_t length = groove_->tabulated_multiples() + 1;
+    constexpr std::int64_t length = Groove::most_multiples + 1;
     before_table_ += in_table_ / length * length;
     in_table_ %= length;
     const auto turn = groove_->multiple(before_table_);
