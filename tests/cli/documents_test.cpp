@@ -28,8 +28,8 @@ std::vector<std::string> examples(const std::filesystem::path& document) {
 TEST_CASE("the examples of the documents work") {
   const std::filesystem::path root = VCAVITY_ROOT;
   std::set<std::string> done;
-  for (const auto& document :
-       {root / "README.md", root / "docs/tool.md", root / "docs/effects.md", root / "docs/profiles.md"}) {
+  for (const auto& document : {root / "README.md", root / "docs/tool.md", root / "docs/effects.md",
+                               root / "docs/profiles.md", root / "docs/films.md"}) {
     const std::vector<std::string> lines = examples(document);
     CHECK(lines.size() >= 4);
     const ScratchFolder folder;
@@ -46,7 +46,8 @@ TEST_CASE("the examples of the documents work") {
 
 TEST_CASE("commands are named only in examples, so that none goes untested") {
   // In running text a command stands without options.
-  for (const char* document : {"README.md", "docs/tool.md", "docs/effects.md", "docs/profiles.md"}) {
+  for (const char* document :
+       {"README.md", "docs/tool.md", "docs/effects.md", "docs/profiles.md", "docs/films.md"}) {
     const std::string text = content(std::filesystem::path(VCAVITY_ROOT) / document);
     CAPTURE(document);
     const std::regex with_options("`vcavity_maps [a-z]+ -[^`]*`");

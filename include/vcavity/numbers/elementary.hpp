@@ -9,31 +9,16 @@
 
 #include <cmath>
 #include <cstddef>
-#include <glm/vec3.hpp>
 
-#include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
-#include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity::detail {
 
 /// The value of f(component) for each component.
-template <Number Real, class Function>
-Real transformed(const Real& a, Function&& f) {
-  return f(a);
-}
-
-template <glm::length_t length, class Real, class Function>
-glm::vec<length, Real> transformed(glm::vec<length, Real> a, Function&& f) {
-  for (glm::length_t i = 0; i < length; ++i) a[i] = f(a[i]);
-  return a;
-}
-
-template <class Real, std::size_t size, std::size_t bytes, class Function>
-Pack<Real, size, bytes> transformed(const Pack<Real, size, bytes>& a, Function&& f) {
-  Pack<Real, size, bytes> result(Real(0));
-  for (std::size_t i = 0; i < size; ++i) result[i] = f(a[i]);
-  return result;
+template <class Value, class Function>
+Value transformed(const Value& a, const Function& f) {
+  return value_of_components<Value>([&a, &f](std::size_t i) { return f(component(a, i)); });
 }
 
 /// sin a

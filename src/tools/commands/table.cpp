@@ -15,6 +15,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/surface_options.hpp"
+#include "tools/commands/table_plot.hpp"
 #include "tools/images/progress.hpp"
 #include "tools/maps/map_plan.hpp"
 #include "tools/materials/provenance.hpp"
@@ -31,6 +32,7 @@ struct TableOptions {
   EffectsOptions effects;
   double tolerance = 1e-10;
   Format format = Format::md;
+  std::string plot;
 };
 
 // Below this, rounding in double precision is all that is left to see.
@@ -121,12 +123,24 @@ std::vector<std::string> broken_promises(const TableOptions& options, const std:
   return lines;
 }
 
+void draw(const std::vector<Row>& rows, const std::string& path) {
+  std::vector<PlottedRow> points;
+  for (const Row& row : rows) {
+    points.push_back({fields_of(row.at.surface), row.reflectance.value});
+    points.back().fields["wavelength_nm"] = row.at.wavelength_nm;
+  }
+  AtomicFile file(path);
+  write_plot(file, plot_of(points, "bi-hemispherical reflectance"));
+  file.commit();
+}
+
 void run_table(const TableOptions& options) {
   const std::vector<Row> rows = computed_rows(options, surfaces_at(options.surfaces, options.wavelengths_nm));
   if (options.effects.explain) {
     for (const Row& row : rows) std::cout << plan_in_words(row) << '\n';
     return;
   }
+  if (!options.plot.empty()) draw(rows, options.plot);
   Report report;
   report.title = "Bi-hemispherical reflectance of V-grooves";
   std::vector<Material> materials;
@@ -164,6 +178,8 @@ void add_table_command(CLI::App& program) {
              "absolute error of the reflectance to aim at, above 1e-15 and below 1 (default 1e-10)")
       ->type_name("T");
   add_format(*command, options->format);
+  add_picture(*command, "--plot", options->plot,
+              "also draw the reflectance over the number that changes most often, such as the aperture");
   command->callback([options] { run_table(*options); });
 }
 

@@ -158,13 +158,15 @@ std::string wavelengths_in_words(const std::vector<double>& wavelengths_nm) {
 class Labels {
  public:
   explicit Labels(const std::vector<MapRequest>& requests) {
-    std::set<std::string> materials, wavelengths;
+    std::set<std::string> materials, wavelengths, films;
     for (const MapRequest& request : requests) {
       materials.insert(material_of(request.surface));
       wavelengths.insert(wavelengths_in_words(request.wavelengths_nm));
+      films.insert(materials_in_words(request.surface.films));
     }
     several_materials_ = materials.size() > 1;
     several_wavelengths_ = wavelengths.size() > 1;
+    several_films_ = films.size() > 1;
   }
 
   /// @param what is seen, with a preposition for the grooves
@@ -175,6 +177,8 @@ class Labels {
       text += grooves_in_words(any.surface);
     else
       text += "grooves";
+    if (!several_films_ && !any.surface.films.empty())
+      text += " under " + materials_in_words(any.surface.films);
     const bool of_red_green_and_blue = any.environment && any.wavelengths_nm.size() > 1;
     if (spectral && !several_wavelengths_ && !of_red_green_and_blue)
       text += ", " + wavelengths_in_words(any.wavelengths_nm);
@@ -183,6 +187,11 @@ class Labels {
 
   std::string label(const MapRequest& request) const {
     std::string text = in_words(request.surface);
+    if (!several_films_ && !request.surface.films.empty()) {
+      SurfaceDescription bare = request.surface;
+      bare.films.clear();
+      text = in_words(bare) + ", " + thicknesses_in_words(request.surface.films);
+    }
     if (several_materials_) text = material_of(request.surface) + ", " + text;
     if (several_wavelengths_) text += ", " + wavelengths_in_words(request.wavelengths_nm);
     return text;
@@ -193,6 +202,7 @@ class Labels {
  private:
   bool several_materials_;
   bool several_wavelengths_;
+  bool several_films_;
 };
 
 std::string light_in_words(const MapRequest& any) {

@@ -2,6 +2,7 @@
 #include "tools/surfaces/films.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "tools/support/error.hpp"
@@ -20,6 +21,14 @@ auto made(const std::string& name, double wavelength_nm, Make&& make) {
   }
 }
 
+/// The words for each film, from the top down.
+template <class Words>
+std::string listed(std::span<const FilmLayer> films, Words&& words_of) {
+  std::string words;
+  for (const FilmLayer& film : films) words.append(words.empty() ? "" : " on ").append(words_of(film));
+  return words;
+}
+
 }  // namespace
 
 bool has_films(std::span<const FilmLayer> films) {
@@ -27,12 +36,24 @@ bool has_films(std::span<const FilmLayer> films) {
 }
 
 std::string in_words(std::span<const FilmLayer> films) {
-  std::string words;
-  for (const FilmLayer& film : films) {
-    words.append(words.empty() ? "" : " on ").append(film.material.name()).append(" ");
-    words.append(exact(film.thickness_nm)).append(" nm");
-  }
-  return words;
+  return listed(films, [](const FilmLayer& film) {
+    return film.material.name() + " " + exact(film.thickness_nm) + " nm";
+  });
+}
+
+std::string materials_in_words(std::span<const FilmLayer> films) {
+  return listed(films, [](const FilmLayer& film) { return film.material.name(); });
+}
+
+std::string thicknesses_in_words(std::span<const FilmLayer> films) {
+  return listed(films, [](const FilmLayer& film) { return exact(film.thickness_nm) + " nm"; });
+}
+
+nlohmann::ordered_json fields_of(std::span<const FilmLayer> films) {
+  nlohmann::ordered_json fields = nlohmann::ordered_json::array();
+  for (const FilmLayer& film : films)
+    fields.push_back({{"material", film.material.name()}, {"thickness_nm", film.thickness_nm}});
+  return fields;
 }
 
 std::string file_stem(std::span<const FilmLayer> films) {

@@ -3,7 +3,7 @@
 
 /// Thin films on the facets of a surface, as options name them and as the library takes them at a wavelength.
 
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vcavity/facet/coated.hpp>
@@ -25,6 +25,15 @@ bool has_films(std::span<const FilmLayer> films);
 
 /// The films for people, the top one first: "TiO2-Siefke 60 nm on SiO2-Malitson 20 nm". Empty without films.
 std::string in_words(std::span<const FilmLayer> films);
+
+/// Their materials alone: "TiO2-Siefke on SiO2-Malitson".
+std::string materials_in_words(std::span<const FilmLayer> films);
+
+/// Their thicknesses alone: "60 nm on 20 nm".
+std::string thicknesses_in_words(std::span<const FilmLayer> films);
+
+/// The films as JSON: an array of objects with `material` and `thickness_nm`.
+nlohmann::ordered_json fields_of(std::span<const FilmLayer> films);
 
 /// The films as part of a file name: "_TiO2-Siefke-60nm".
 std::string file_stem(std::span<const FilmLayer> films);

@@ -27,8 +27,7 @@ nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
     fields["aperture_deg"] = surface.aperture_deg;
     fields.update(fields_of(surface.profile));
   }
-  for (const FilmLayer& film : surface.films)
-    fields["films"].push_back({{"material", film.material.name()}, {"thickness_nm", film.thickness_nm}});
+  if (!surface.films.empty()) fields["films"] = fields_of(surface.films);
   return fields;
 }
 
