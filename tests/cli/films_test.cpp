@@ -82,8 +82,8 @@ TEST_CASE("maps of films hold each wavelength with its own indices, and name the
   const double u = std::sqrt(2.0) / 8;
   const Vec3<double> e = direction(2 * std::asin(std::hypot(u, u) / 2), pi<double>() / 4);
   const std::size_t pixel = 3 * 8 + 4;
-  CHECK(image.plane("T.450,0nm")[pixel] == Approx(by_library(60, e, 450, 60, 35)).epsilon(1e-6));
-  CHECK(image.plane("T.600,0nm")[pixel] == Approx(by_library(60, e, 600, 60, 35)).epsilon(1e-6));
+  CHECK(image.plane("T.450,000000nm")[pixel] == Approx(by_library(60, e, 450, 60, 35)).epsilon(1e-6));
+  CHECK(image.plane("T.600,000000nm")[pixel] == Approx(by_library(60, e, 600, 60, 35)).epsilon(1e-6));
 }
 
 TEST_CASE("plans know films") {
@@ -131,8 +131,8 @@ TEST_CASE("films that are none are refused in one line that names the word") {
   }
   // A film whose data end before the wavelength, on a substrate that is known there.
   const Outcome outcome = run(
-      "direction --material 1.5 --aperture 45 --theta 30 --phi 20 --wavelength 90000 --film TiO2-Siefke:60");
+      "direction --material 1.5 --aperture 45 --theta 30 --phi 20 --wavelength 200000 --film TiO2-Siefke:60");
   CHECK(outcome.status == 2);
   CHECK(lines_of(outcome.err).size() == 1);
-  CHECK(outcome.err.starts_with("vcavity_maps: wavelength 90000 nm is outside the data of TiO2-Siefke"));
+  CHECK(outcome.err.starts_with("vcavity_maps: wavelength 200000 nm is outside the data of TiO2-Siefke"));
 }
