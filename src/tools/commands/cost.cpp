@@ -147,14 +147,15 @@ Plot plot_of(const CostSection& section, const std::string& what) {
 std::vector<CostSection> sections_of(const SurfaceDescription& surface, double wavelength_nm) {
   std::vector<CostSection> sections;
   const bool bare = is_bare_symmetric_groove(surface);
-  Progress progress(bare ? 5 : 2);
+  const bool polarizes = !surface.albedos;  // an albedo says nothing of polarised light
+  Progress progress(bare ? 5 : polarizes ? 2 : 1);
   const auto add = [&](CostSection section) {
     if (!section.rows.empty()) sections.push_back(std::move(section));
     progress.advance();
   };
   if (!bare) {
     add(cost_of_surface(surface, wavelength_nm));
-    add(cost_of_polarization(surface, wavelength_nm));
+    if (polarizes) add(cost_of_polarization(surface, wavelength_nm));
     return sections;
   }
   const RefractiveIndex index = surface.material.at(wavelength_nm);
