@@ -14,6 +14,7 @@
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/linear.hpp"
 #include "vcavity/numbers/per_component.hpp"
 #include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/small_differences.hpp"

@@ -8,20 +8,20 @@
 /// positive terms, never a difference of rounded numbers.
 
 #include <concepts>
-#include <cstddef>
 #include <type_traits>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/facet_wrapper.hpp"
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/linear.hpp"
 #include "vcavity/numbers/number.hpp"
-#include "vcavity/numbers/pack.hpp"
 
 namespace vcavity {
 
 /// What became of unit flux: `reflected + absorbed` = 1 up to rounding, or less where bounces were left out.
 template <class Value>
-struct EnergyBalance {
+struct EnergyBalance : Linear<EnergyBalance<Value>, Value> {
   using value_type = scalar_t<Value>;
 
   Value reflected;
@@ -39,15 +39,10 @@ struct EnergyBalance {
     return {first.reflected * second.reflected,
             at_most(Value(first.absorbed + first.reflected * second.absorbed), value_type(1))};
   }
-  friend EnergyBalance operator+(const EnergyBalance& a, const EnergyBalance& b) {
-    return {a.reflected + b.reflected, a.absorbed + b.absorbed};
-  }
-  friend EnergyBalance operator*(const value_type& s, const EnergyBalance& a) {
-    return {s * a.reflected, s * a.absorbed};
-  }
-  template <class Real, std::size_t size, std::size_t bytes>
-  friend EnergyBalance operator*(const Pack<Real, size, bytes>& s, const EnergyBalance& a) {
-    return {s * a.reflected, s * a.absorbed};
+  /// Both parts of an operation on balances; see `Linear`.
+  template <class Operation, class... Balances>
+  VCAVITY_INLINE static EnergyBalance combine(const Operation& operation, const Balances&... balances) {
+    return {Value(operation(balances.reflected...)), Value(operation(balances.absorbed...))};
   }
   friend value_type largest(const EnergyBalance& a) { return largest(a.reflected); }
 };

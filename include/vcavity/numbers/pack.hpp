@@ -66,8 +66,7 @@ inline constexpr std::size_t native_lanes = std::max<std::size_t>(detail::regist
 /// @tparam Real number type of a component
 /// @tparam size number of components, at least 1
 /// @tparam most_bytes size of the vector registers; part of the type, so that code for different instruction
-/// sets can
-///         be linked into one program
+///          sets can be linked into one program
 template <class Real, std::size_t size, std::size_t most_bytes = detail::register_bytes>
 class Pack {
   using Register = typename detail::Register<Real, size, most_bytes>::type;

@@ -11,13 +11,15 @@
 #include <utility>
 
 #include "vcavity/groove/reflectance.hpp"
+#include "vcavity/numbers/compiler.hpp"
+#include "vcavity/numbers/linear.hpp"
 #include "vcavity/polarization/polarization.hpp"
 
 namespace vcavity {
 
 /// Absorbed power as a quadratic form of the field, E† A E, with the Hermitian matrix A; axes as for `Jones`.
 template <class Value>
-struct AbsorbedPower {
+struct AbsorbedPower : Linear<AbsorbedPower<Value>, Value> {
   using value_type = scalar_t<Value>;
 
   Value aa, bb;
@@ -32,16 +34,12 @@ struct AbsorbedPower {
       : AbsorbedPower(light == 0 ? Value(0) : Value(1), light == 0 ? Value(0) : Value(1),
                       {Value(0), Value(0)}) {}
 
-  friend AbsorbedPower operator+(const AbsorbedPower& a, const AbsorbedPower& b) {
-    return {a.aa + b.aa, a.bb + b.bb, a.ab + b.ab};
-  }
-  friend AbsorbedPower operator*(const value_type& s, const AbsorbedPower& a) {
-    return {s * a.aa, s * a.bb, {s * a.ab.re, s * a.ab.im}};
-  }
-  friend AbsorbedPower operator*(const Value& s, const AbsorbedPower& a)
-    requires(!Number<Value>)
-  {
-    return {s * a.aa, s * a.bb, s * a.ab};
+  /// All parts of an operation on powers; see `Linear`.
+  template <class Operation, class... Powers>
+  VCAVITY_INLINE static AbsorbedPower combine(const Operation& operation, const Powers&... powers) {
+    return {Value(operation(powers.aa...)),
+            Value(operation(powers.bb...)),
+            {Value(operation(powers.ab.re...)), Value(operation(powers.ab.im...))}};
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/linear.hpp"
 #include "vcavity/polarization/jones.hpp"
 
 namespace vcavity {
@@ -28,7 +29,7 @@ struct AxesTurn {
 
 /// A linear map of Stokes parameters.
 template <class Value>
-class Mueller {
+class Mueller : public Linear<Mueller<Value>, Value> {
  public:
   using value_type = scalar_t<Value>;
 
@@ -60,17 +61,14 @@ class Mueller {
   /// @param row, column 0, 1, 2, 3 stand for I, Q, U, V
   Value operator()(std::size_t row, std::size_t column) const { return rows_[row][column]; }
 
-  friend Mueller operator+(const Mueller& a, const Mueller& b) {
-    return map([](const Value& x, const Value& y) { return x + y; }, a, b);
-  }
-  friend Mueller operator*(const value_type& s, const Mueller& a) {
-    return map([&s](const Value& x) { return s * x; }, a);
-  }
-
-  friend Mueller operator*(const Value& s, const Mueller& a)
-    requires(!Number<Value>)
-  {
-    return map([&s](const Value& x) { return s * x; }, a);
+  /// All elements of an operation on matrices; see `Linear`.
+  template <class Operation, class... Muellers>
+  VCAVITY_INLINE static Mueller combine(const Operation& operation, const Muellers&... matrices) {
+    Mueller result;
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        result.rows_[row][column] = operation(matrices.rows_[row][column]...);
+    return result;
   }
 
   /// What becomes of light that travels the same way backwards. By Helmholtz reciprocity the Jones matrix is
@@ -112,15 +110,6 @@ class Mueller {
   }
 
  private:
-  template <class Operation, class... Muellers>
-  static Mueller map(Operation operation, const Muellers&... matrices) {
-    Mueller result;
-    for (std::size_t row = 0; row < 4; ++row)
-      for (std::size_t column = 0; column < 4; ++column)
-        result.rows_[row][column] = operation(matrices(row, column)...);
-    return result;
-  }
-
   std::array<std::array<Value, 4>, 4> rows_;
 };
 

@@ -6,7 +6,7 @@
 ///
 ///  - A facet by itself reflects unpolarised light at every bounce, as in the paper (Eq. 17).
 ///  - `separately_polarized(facet)` follows s and p light on their own, ½(Π|r_s|² + Π|r_p|²), as if all
-///  planes of incidence were parallel. Right only for light that travels across the groove.
+///    planes of incidence were parallel. Right only for light that travels across the groove.
 ///  - `polarized(facet)` follows the field: exact.
 ///
 /// Method of the exact model. Let c and d be the components of the direction e along the normal of the panel
@@ -30,13 +30,14 @@
 #include "vcavity/facet/fresnel.hpp"
 #include "vcavity/facet/panel_facets.hpp"
 #include "vcavity/numbers/compiler.hpp"
+#include "vcavity/numbers/linear.hpp"
 #include "vcavity/polarization/mueller.hpp"
 
 namespace vcavity {
 
 /// Reflectances of s and of p light, multiplied and added on their own.
 template <class Value>
-struct SeparatePolarizations {
+struct SeparatePolarizations : Linear<SeparatePolarizations<Value>, Value> {
   using value_type = scalar_t<Value>;
 
   Value s;
@@ -52,16 +53,11 @@ struct SeparatePolarizations {
   friend SeparatePolarizations operator*(const SeparatePolarizations& a, const SeparatePolarizations& b) {
     return {a.s * b.s, a.p * b.p};
   }
-  friend SeparatePolarizations operator+(const SeparatePolarizations& a, const SeparatePolarizations& b) {
-    return {a.s + b.s, a.p + b.p};
-  }
-  friend SeparatePolarizations operator*(const value_type& scale, const SeparatePolarizations& a) {
-    return {scale * a.s, scale * a.p};
-  }
-  friend SeparatePolarizations operator*(const Value& scale, const SeparatePolarizations& a)
-    requires(!Number<Value>)
-  {
-    return {scale * a.s, scale * a.p};
+  /// Both parts of an operation on reflectances; see `Linear`.
+  template <class Operation, class... Reflectances>
+  VCAVITY_INLINE static SeparatePolarizations combine(const Operation& operation,
+                                                      const Reflectances&... reflectances) {
+    return {Value(operation(reflectances.s...)), Value(operation(reflectances.p...))};
   }
   friend SeparatePolarizations at_most(const SeparatePolarizations& a, const value_type& ceiling) {
     return {at_most(a.s, ceiling), at_most(a.p, ceiling)};
