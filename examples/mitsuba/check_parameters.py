@@ -50,6 +50,7 @@ REFUSED = [
     ({"material": "Cu", "distribution": "ggx", "roughness": 0.0}, "roughness must lie in [0.001, 10], not be 0"),
     ({"material": "Cu", "distribution": "brushed", "alpha_u": 0.5, "alpha_v": 0.5}, "brushed takes a roughness"),
     ({"material": "Cu", "distribution": "brushed", "concentration": -1.0}, "concentration"),
+    ({"material": "Cu", "distribution": "ggx", "polarized": True}, "rough surfaces do not follow polarisation"),
     ({"material": "unobtainium"}, "unobtainium"),
     ({"material": "Cu", "apperture": 60.0}, "apperture"),
 ]

@@ -238,8 +238,9 @@ class GrooveParameters {
       Log(Info, "vgroove: tolerance %g: %s", tolerance, vgroove::described(effects));
       return;
     }
-    effects.polarization =
-        asked == "" ? props.get<bool>("polarized", is_polarized_v<Spectrum>) : asked == "full";
+    effects.polarization = asked == "" ? props.get<bool>("polarized", is_polarized_v<Spectrum> && !is_rough())
+                                       : asked == "full" && !is_rough();
+    if (effects.polarization && is_rough()) Throw("vgroove: rough surfaces do not follow polarisation");
     if (max_bounces > 0) effects.max_bounces = max_bounces;
   }
 
@@ -281,7 +282,12 @@ class GrooveParameters {
       distributions.push_back(make(roughness_u->range()->high, roughness_v->range()->high));
     constexpr float step_nm = 40;  // each takes a hundred times as long as for parallel grooves
     effects = vgroove::planned_effects<typename decltype(distributions)::value_type>(
-        distributions, indices(step_nm), tolerance, is_polarized_v<Spectrum>);
+        distributions, indices(step_nm), tolerance, false);
+    if (effects.polarization) {
+      Log(Warn, "vgroove: a tolerance of %g calls for polarisation, which rough surfaces do not follow",
+          tolerance);
+      effects.polarization = false;
+    }
     constexpr int most = 4096;  // of RoughGrooveBsdf
     effects.max_bounces = std::min(effects.max_bounces, most);
   }
