@@ -15,38 +15,25 @@ ROUGHNESSES = (0.1, 0.3, 0.5, 0.75, 1.0)
 BACKDROP = 0.05  # radiance
 
 
-def sphere(bsdf, centre):
-    """A sphere standing on its place, with ∂p/∂u along the circles of latitude."""
+def rough(**parameters):
+    return lambda material, roughness: {"type": "vgroove", "material": material, "roughness": roughness, **parameters}
+
+
+ROWS = (rough(distribution="ggx", max_bounces=1), rough(distribution="ggx"),
+        rough(distribution="brushed", concentration=200.0))
+
+
+def scene(metal, width, samples):
+    """One sphere alone, with ∂p/∂u along its circles of latitude."""
     transform = mi.ScalarTransform4f()
-    return {"type": "sphere", "to_world": transform.translate(centre).scale(0.47), "bsdf": bsdf}
-
-
-def row(metal, height):
-    """One sphere for each roughness, side by side in the plane of the picture."""
-    middle = (len(ROUGHNESSES) - 1) / 2
-    return {f"sphere_{height}_{i}".replace(".", "_").replace("-", "m"): sphere(metal(roughness), [i - middle, 0, height])
-            for i, roughness in enumerate(ROUGHNESSES)}
-
-
-def rough(material, **parameters):
-    return lambda roughness: {"type": "vgroove", "material": material, "roughness": roughness, **parameters}
-
-
-def scene(material, width, samples):
-    rows = [rough(material, distribution="ggx", max_bounces=1), rough(material, distribution="ggx"),
-            rough(material, distribution="brushed", concentration=200.0)]
-    transform = mi.ScalarTransform4f()
-    objects = {}
-    for i, metal in enumerate(rows):
-        objects.update(row(metal, float(1 - i)))
     return mi.load_dict({
         "type": "scene",
-        "integrator": {"type": "path", "max_depth": 2, "hide_emitters": True},  # no sphere mirrors its neighbours
+        "integrator": {"type": "path", "max_depth": 2, "hide_emitters": True},
         "sky": {"type": "envmap", "bitmap": render_bowl.studio(), "to_world": transform.rotate([1, 0, 0], 90)},
-        **objects,
+        "sphere": {"type": "sphere", "bsdf": metal},
         "sensor": {"type": "orthographic",
-                   "to_world": transform.look_at([0, -5, 0], [0, 0, 0], [0, 0, 1]).scale([2.5, 2.5, 1]),
-                   "film": {"type": "hdrfilm", "width": width, "height": width * 3 // len(ROUGHNESSES),
+                   "to_world": transform.look_at([0, -5, 0], [0, 0, 0], [0, 0, 1]).scale([1.06, 1.06, 1]),
+                   "film": {"type": "hdrfilm", "width": width, "height": width,
                             "pixel_format": "rgba", "rfilter": {"type": "gaussian"}},
                    "sampler": {"type": "multijitter", "sample_count": samples}},
     })
@@ -58,7 +45,7 @@ def main():
                         help="PNG file to write; rough.png by default")
     parser.add_argument("--material", default="Cu", help="one of Mitsuba's metals; Cu by default")
     parser.add_argument("--width", type=int, default=720, help="pixels; 720 by default")
-    parser.add_argument("--samples", type=int, default=144, help="paths per pixel; 144 by default")
+    parser.add_argument("--samples", type=int, default=64, help="paths per pixel; 64 by default")
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
@@ -66,7 +53,10 @@ def main():
     import vgroove
     vgroove.load(options.plug_in)
 
-    pixels = np.array(mi.render(scene(options.material, options.width, options.samples)))
+    width = options.width // len(ROUGHNESSES)
+    pixels = np.concatenate([np.concatenate([np.array(mi.render(scene(metal(options.material, roughness), width,
+                                                                      options.samples)))
+                                             for roughness in ROUGHNESSES], axis=1) for metal in ROWS])
     cover = np.clip(pixels[..., 3:], 0, 1)
     picture = 1 - np.exp(-1.5 * (pixels[..., :3] + BACKDROP * (1 - cover)))  # like film
     mi.Bitmap(picture.astype(np.float32)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.UInt8, True).write(

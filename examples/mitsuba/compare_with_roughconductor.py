@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares rough `vgroove` with Mitsuba's `roughconductor`, which follows one bounce: how much light they reflect, from
+silver-like facets that reflect everything ("none"), and how long a rendering takes. Prints a Markdown table."""
+
+import argparse
+import math
+import time
+
+import mitsuba as mi
+import numpy as np
+
+ROUGHNESSES = (0.05, 0.1, 0.3, 0.6, 1.0)
+ANGLES_DEG = (0, 60)
+
+
+def albedo(bsdf, theta, samples):
+    """The mean weight of sampled directions: what is seen in a sky of radiance 1."""
+    context, si = mi.BSDFContext(), mi.SurfaceInteraction3f()
+    si.wi = [math.sin(theta), 0, math.cos(theta)]
+    numbers = np.random.default_rng(1).uniform(size=(samples, 3)).tolist()
+    return np.mean([np.ravel(bsdf.sample(context, si, u[0], u[1:])[1])[0] for u in numbers])
+
+
+def seconds(bsdf):
+    """Processor time of rendering a plate under a lamp and a sky: each path takes a sample, a value and a density."""
+    scene = mi.load_dict({
+        "type": "scene", "integrator": {"type": "path", "max_depth": 2}, "sky": {"type": "constant"},
+        "plate": {"type": "rectangle", "bsdf": bsdf},
+        "sensor": {"type": "perspective", "fov": 20.0,
+                   "to_world": mi.ScalarTransform4f().look_at([1, -2, 2], [0, 0, 0], [0, 0, 1]),
+                   "film": {"type": "hdrfilm", "width": 64, "height": 64}, "sampler": {"type": "independent"}}})
+    times = []
+    for seed in range(4):
+        start = time.process_time()
+        mi.render(scene, spp=32, seed=seed)
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--samples", type=int, default=20_000, help="directions per number; 20000 by default")
+    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
+    options = parser.parse_args()
+    mi.set_variant("scalar_rgb")
+    import vgroove
+    vgroove.load(options.plug_in)
+    print("| GGX roughness | θ | roughconductor | vgroove, 1 bounce | vgroove | copper: time of vgroove / roughconductor |")
+    print("|---|---|---|---|---|---|")
+    for roughness in ROUGHNESSES:
+        ours = {"type": "vgroove", "distribution": "ggx", "roughness": roughness}
+        theirs = {"type": "roughconductor", "distribution": "ggx", "alpha": roughness}
+        ratio = (seconds(mi.load_dict({**ours, "material": "Cu"}))
+                 / seconds(mi.load_dict({**theirs, "material": "Cu"})))
+        for angle in ANGLES_DEG:
+            values = [albedo(mi.load_dict({"material": "none", **bsdf}), math.radians(angle), options.samples)
+                      for bsdf in (theirs, {**ours, "max_bounces": 1}, ours)]
+            print(f"| {roughness} | {angle}° | " + " | ".join(f"{value:.3f}" for value in values)
+                  + f" | {ratio:.1f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
