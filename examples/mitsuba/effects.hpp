@@ -79,7 +79,8 @@ inline std::string described(const Effects& effects) {
   if (effects.polarization)
     text << "polarisation followed";
   else
-    text << "no polarisation (error below " << effects.bounds.polarization << ")";
+    text << "no polarisation";
+  if (effects.bounds.polarization > 0) text << " (error below " << effects.bounds.polarization << ")";
   if (effects.max_bounces == vcavity::all_bounces)
     text << ", all bounces";
   else

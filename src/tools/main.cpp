@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add_map_command(program);
   add_table_command(program);
   add_direction_command(program);
+  add_export_command(program);
   add_cost_command(program);
   add_materials_command(program);
   add_generate_command(program);

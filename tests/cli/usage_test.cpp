@@ -7,7 +7,7 @@
 
 namespace {
 
-const std::vector<std::string> commands{"paper", "map", "table", "direction", "cost", "materials"};
+const std::vector<std::string> commands{"paper", "map", "table", "direction", "export", "cost", "materials"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

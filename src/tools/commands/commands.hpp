@@ -20,6 +20,9 @@ void add_table_command(CLI::App& program);
 /// `direction`: everything about the light of one direction.
 void add_direction_command(CLI::App& program);
 
+/// `export`: the BRDF of a surface as a table for other programs.
+void add_export_command(CLI::App& program);
+
 /// `cost`: what accuracy costs in time.
 void add_cost_command(CLI::App& program);
 
