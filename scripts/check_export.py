@@ -14,8 +14,8 @@ import tempfile
 from pyradiance import bsdf
 
 SURFACE = ["--material", "Ag", "--distribution", "ggx", "--roughness", "0.6"]
-# The patches of incidence are 10° wide: what they average differs from their middle.
-REFLECTANCE_TOLERANCE = 0.01
+# Near the mirror direction the BRDF grows like 1/|h|, which a patch averages over a few points.
+REFLECTANCE_TOLERANCE = 0.02
 BRDF_TOLERANCE = 0.03  # relative
 
 

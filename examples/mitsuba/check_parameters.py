@@ -17,7 +17,7 @@ ACCEPTED = [
     {"material": "Cu", "effects": "paper"},
     {"material": "Cu", "effects": "auto", "tolerance": 1e-6},
     {"material": "Cu", "groove_axis": [0.0, 1.0, 1.0], "specular_reflectance": 0.5},
-    {"material": "Cu", "aperture": {"type": "checkerboard", "color0": 0.4, "color1": 0.9}, "tolerance": 0.01},
+    {"material": "Cu", "aperture": {"type": "checkerboard", "color0": 30.0, "color1": 90.0}, "tolerance": 0.01},
     {"eta": {"type": "mesh_attribute", "name": "vertex_n"}, "k": 3.0, "tolerance": 0.01},
     {"material": "Cu", "rotation": {"type": "mesh_attribute", "name": "vertex_angle"}, "tolerance": 0.01},
     {"material": "Cu", "aperture": {"type": "mesh_attribute", "name": "vertex_aperture"}, "tolerance": 0.01},
