@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "tools/materials/provenance.hpp"
 #include "tools/support/error.hpp"
@@ -25,6 +26,19 @@ std::string in_words(const std::string& path) {
   if (found != known.end()) return found->second;
   std::string words = path.substr(1);
   std::replace_if(words.begin(), words.end(), [](char c) { return c == '/' || c == '_'; }, ' ');
+  return words;
+}
+
+/// A field and its value for people, such as "wavelength 600 nm".
+std::string in_words(const std::string& path, const std::string& value) {
+  if (path == "/material") return value;
+  std::string words = path.ends_with("/material") ? "film of " + value : in_words(path) + " " + value;
+  for (const auto& [unit, shown] : {std::pair{" in nm", " nm"}, std::pair{" in degrees", "°"}}) {
+    const auto at = words.find(unit);
+    if (at == words.npos) continue;
+    words.erase(at, std::string(unit).size());
+    words += shown;
+  }
   return words;
 }
 
@@ -74,7 +88,7 @@ Plot plot_of(const std::vector<PlottedRow>& rows, const std::string& value_label
       if (path == x_path || !fields[i].contains(path)) continue;
       std::string& words = texts.size() > 1 ? name : common;
       const std::string text = text_of(fields[i].at(path));
-      words.append(words.empty() ? "" : ", ").append(in_words(path)).append(" ").append(text);
+      words.append(words.empty() ? "" : ", ").append(in_words(path, text));
     }
     plot.title = common;
     auto series = std::find_if(plot.series.begin(), plot.series.end(),
