@@ -66,7 +66,8 @@ TEST_CASE("what is no number of the accepted range is refused with option, value
 
 TEST_CASE("unknown words are refused with what was expected") {
   check_usage_errors(
-      {{"mapp", "unknown command 'mapp', expected one of paper, map, table, direction, cost, materials"},
+      {{"mapp",
+        "unknown command 'mapp', expected one of paper, map, table, direction, export, cost, materials"},
        {"map --materail Ag", "unknown option '--materail'; did you mean '--material'?"},
        {"map --gloss 3", "unknown option '--gloss'"},
        {"--verison", "unknown option '--verison'; did you mean '--version'?"},
