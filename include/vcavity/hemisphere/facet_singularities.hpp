@@ -117,6 +117,7 @@ class FacetSingularities {
     std::vector<std::complex<double>> singularities;
     const auto add = [&](const std::complex<double>& x) { singularities.push_back((x - middle) / half); };
     for (const std::complex<double>& cosine : cosines_) {
+      if (cosine == 0.0) continue;  // index 1: there is no branch point
       if (is_cut() && std::abs(cosine) == std::abs(branch_))
         continue;  // that of each bounce counts, see below
       const std::complex<double> at = along_of_cosine(variable_, cosine);
