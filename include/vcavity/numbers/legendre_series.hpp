@@ -107,7 +107,7 @@ struct SeriesDecay {
 template <class Real>
 double series_error(const SeriesRule<Real>& rule, const std::array<double, SeriesRule<Real>::terms>& sizes,
                     const SeriesDecay& decay, double noise) {
-  constexpr double safety = 10;  // by trial, over random grooves and facets
+  constexpr double safety = 25;  // by trial, over random grooves and facets
   // Either of two neighbours may be small by chance, but hardly both.
   const std::size_t middle = sizes[0] > sizes[1] ? 0 : 1;
   const std::size_t last = sizes[2] > sizes[3] ? 2 : 3;
