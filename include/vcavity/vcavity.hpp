@@ -97,6 +97,7 @@
 #include "vcavity/rough/rough_bsdf.hpp"
 #include "vcavity/rough/adaptive_gauss.hpp"
 #include "vcavity/rough/rough_albedo.hpp"
+#include "vcavity/rough/rough_albedo_table.hpp"
 #include "vcavity/rough/rough_bihemispherical.hpp"
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"

@@ -212,7 +212,7 @@ double DiscMapper::value(const Surface& surface, const Vec3<double>& e) const {
     const Vec3<double> light = direction(radians(request_.light->theta), radians(request_.light->phi));
     return surface.brdf(light, e)->value.unpolarized;
   }
-  const Reflected reflected = surface.reflectance(e);
+  const Reflected reflected = surface.reflectance_in_maps(e);
   if (request_.quantity == Quantity::degree_of_polarization) return *reflected.diattenuation;
   if (request_.quantity == Quantity::reflectance) return reflected.unpolarized;
   return surface.absorptance(e).value_or(1 - reflected.unpolarized);

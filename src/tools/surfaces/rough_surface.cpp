@@ -2,7 +2,9 @@
 #include "tools/surfaces/rough_surface.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vcavity/vcavity.hpp>
@@ -15,6 +17,9 @@ namespace {
 
 /// Absolute error of directional albedos, which are integrals. Smaller than what a table for people shows.
 constexpr double albedo_tolerance = 1e-6;
+
+/// The same in maps.
+constexpr double table_tolerance = 1e-4;
 
 /// The bi-hemispherical reflectance of narrow grooves is not known better.
 constexpr double least_tolerance = 1e-9;
@@ -67,6 +72,13 @@ class RoughSurface final : public Surface {
             std::nullopt, std::nullopt};
   }
 
+  Reflected reflectance_in_maps(const Vec3<double>& e) const override {
+    std::call_once(table_made_, [this] {
+      table_.emplace(bsdf_.distribution(), bsdf_.facet(), table_tolerance, max_bounces_);
+    });
+    return {(*table_)(e), std::nullopt, std::nullopt};
+  }
+
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
     // At grazing angles the BRDF has a limit, which a small height comes close to.
     const Vec3<double> o{toward.x, toward.y, std::max(toward.z, least_height)};
@@ -101,6 +113,8 @@ class RoughSurface final : public Surface {
   Bsdf bsdf_;
   RefractiveIndex index_;
   int max_bounces_;
+  mutable std::once_flag table_made_;
+  mutable std::optional<RoughAlbedoTable<double>> table_;
 };
 
 const char* name_of(Roughness::Distribution distribution) {

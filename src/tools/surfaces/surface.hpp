@@ -90,6 +90,11 @@ class Surface {
   /// @param e towards the light, or towards the viewer under diffuse light
   virtual Reflected reflectance(const Vec3<double>& e) const = 0;
 
+  /// The same for maps, which ask for thousands of directions: where it is an integral it may come from a table, with
+  /// an error that cannot be seen.
+  /// @param e towards the light, or towards the viewer under diffuse light
+  virtual Reflected reflectance_in_maps(const Vec3<double>& e) const { return reflectance(e); }
+
   /// Directional absorptance of unpolarised light where it is known apart from 1 − reflectance, with all digits.
   /// @param e towards the light
   virtual std::optional<double> absorptance(const Vec3<double>& e) const;
