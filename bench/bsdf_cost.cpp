@@ -4,7 +4,10 @@
 /// hemisphere, the fastest of several runs.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <random>
@@ -71,6 +74,26 @@ void print_row(const char* facet_name, const Facet& facet, float aperture_deg) {
               energy, albedo, value, fresnel);
 }
 
+/// Costs of a rough surface, towards directions of the hemisphere as random as the light's.
+template <class Facet>
+void print_rough_row(const char* facet_name, const Facet& facet, float roughness, int max_bounces) {
+  static const std::vector<Query> queries = random_queries(20000);
+  const RoughGrooveBsdf bsdf(GgxSlopes<float>(roughness), facet, max_bounces);
+  const auto next = [i = std::size_t(0)]() mutable { return queries[++i % queries.size()].wo; };
+  const double evaluate = nanoseconds(queries, [&, other = next](const Query& q) mutable {
+    return largest(unpolarized(bsdf.evaluate(q.wo, other())));
+  });
+  const double pdf =
+      nanoseconds(queries, [&, other = next](const Query& q) mutable { return bsdf.pdf(q.wo, other()); });
+  const double sample = nanoseconds(queries, [&, other = next](const Query& q) mutable {
+    const Vec3<float> u = other();
+    const auto drawn = bsdf.sample(q.wo, q.u, {u.z * u.z, std::abs(u.x)});
+    return drawn ? largest(unpolarized(drawn->weight)) : 0.0f;
+  });
+  std::printf("| %s | %.1f | %d | %.0f | %.0f | %.0f |\n", facet_name, double(roughness), max_bounces,
+              evaluate, pdf, sample);
+}
+
 }  // namespace
 
 int main() {
@@ -85,5 +108,15 @@ int main() {
     print_row("RGB, polarised", polarized(Conductor<glm::vec3>({0.27f, 0.91f, 1.19f}, {3.41f, 2.60f, 2.36f})),
               aperture_deg);
     print_row("8 wavelengths", Conductor<Pack<float, 8>>(n8, k8), aperture_deg);
+  }
+
+  std::puts("\n| facet | roughness (GGX) | bounce limit | evaluate | pdf | sample, with both |");
+  std::puts("|---|---|---|---|---|---|");
+  using Rgb = Pack<float, 3>;
+  const Conductor<Rgb> rgb(Rgb(std::array{0.27f, 0.91f, 1.19f}), Rgb(std::array{3.41f, 2.60f, 2.36f}));
+  for (const float roughness : {0.1f, 0.3f, 1.0f}) {
+    for (const int max_bounces : {1, 8, 32}) print_rough_row("RGB", rgb, roughness, max_bounces);
+    print_rough_row("one wavelength", Conductor<float>(0.27f, 3.4f), roughness, 32);
+    print_rough_row("RGB, polarised", polarized(rgb), roughness, 32);
   }
 }

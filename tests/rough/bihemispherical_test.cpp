@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <vcavity/facet/fresnel.hpp>
 #include <vcavity/rough/brushed_slopes.hpp>
+#include <vcavity/rough/rough_albedo_table.hpp>
 #include <vcavity/rough/rough_bihemispherical.hpp>
 
 #include "support/catch.hpp"
@@ -64,6 +65,20 @@ TEST_CASE("the bi-hemispherical reflectance is the mean of the albedo in diffuse
     sum += directional_albedo(slopes, {std::sqrt(sine2), 0, std::sqrt(1 - sine2)}, half, 1e-4).value;
   }
   CHECK(sum / size == Approx(bihemispherical_reflectance(slopes, half, 1e-6).value).margin(1e-3));
+}
+
+TEST_CASE("a table of the albedo is close to the albedo, isotropic or not") {
+  const auto check = [](const auto& distribution, double tolerance) {
+    const RoughAlbedoTable<double> table(distribution, glass, tolerance);
+    for (const double theta : {5.0, 50.0, 80.0, 88.0}) {
+      const Vec3<double> e = direction(radians(theta), 0.7);
+      CAPTURE(theta);
+      CHECK(std::abs(table(e) - directional_albedo(distribution, e, glass, 1e-5).value) < 1e-3);
+      CHECK(table(e) == Approx(table({-e.x, -e.y, e.z})).margin(1e-12));
+    }
+  };
+  check(BeckmannSlopes<double>(0.4), 1e-4);
+  check(BeckmannSlopes<double>(0.2, 0.5), 1e-2);
 }
 
 TEST_CASE("a tolerance that is not positive is refused") {

@@ -112,12 +112,26 @@ class RoughGrooveBsdf {
   Value evaluate_bounces(const Vec3<Real>& wo, const Vec3<Real>& wi, int bounces,
                          Transport transport = Transport::radiance) const {
     Value result(0);
-    if (!are_above_horizon(wo, wi)) return result;
-    const ConnectingGrooves<Real> grooves(wo, wi);
-    grooves.for_each(std::min(bounces, max_bounces_), [&](const ConnectingGroove<Real>& groove) {
-      if (groove.bounces == bounces) result = result + term(grooves, groove, density(grooves, groove));
-    });
-    return transported(result, grooves, transport);
+    for_each_term(wo, wi, std::min(bounces, max_bounces_),
+                  [&](const ConnectingGrooves<Real>& grooves, const ConnectingGroove<Real>& groove) {
+                    if (groove.bounces == bounces)
+                      result = result + transported(term(grooves, groove, density(grooves, groove)), grooves,
+                                                    transport);
+                  });
+    return result;
+  }
+
+  /// All parts of this by the number of bounces, in one pass.
+  /// @param visit called with a number of bounces and a part, in ascending order; for a number twice where either
+  ///        panel may be met first. What `LongWays::without_loss` adds is in none of them.
+  template <class Visit>
+  void for_each_part(const Vec3<Real>& wo, const Vec3<Real>& wi, Transport transport, Visit&& visit) const {
+    for_each_term(wo, wi, max_bounces_,
+                  [&](const ConnectingGrooves<Real>& grooves, const ConnectingGroove<Real>& groove) {
+                    const Real white = density(grooves, groove);
+                    if (white > Real(0))
+                      visit(groove.bounces, transported(term(grooves, groove, white), grooves, transport));
+                  });
   }
 
   /// Density per steradian with which `sample` draws `wi`: BSDF × cosine for facets that reflect all light. 0 if
@@ -182,6 +196,13 @@ class RoughGrooveBsdf {
   }
 
  private:
+  template <class Visit>
+  void for_each_term(const Vec3<Real>& wo, const Vec3<Real>& wi, int max_bounces, Visit&& visit) const {
+    if (!are_above_horizon(wo, wi)) return;
+    const ConnectingGrooves<Real> grooves(wo, wi);
+    grooves.for_each(max_bounces, [&](const ConnectingGroove<Real>& groove) { visit(grooves, groove); });
+  }
+
   static bool is_density(const Real& x) { return x > Real(0) && x <= std::numeric_limits<Real>::max(); }
 
   static auto scalar(const Real& x) { return static_cast<scalar_t<Value>>(x); }

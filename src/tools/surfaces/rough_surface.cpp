@@ -83,11 +83,13 @@ class RoughSurface final : public Surface {
     // At grazing angles the BRDF has a limit, which a small height comes close to.
     const Vec3<double> o{toward.x, toward.y, std::max(toward.z, least_height)};
     const double inverse = 1 / o.z;
-    SurfaceBrdf result{reflected(inverse * bsdf_.evaluate(e, o, Transport::importance)), 0, {}};
-    for (int bounces = 1; bounces <= std::min(bsdf_.max_bounces(), listed_bounces); ++bounces) {
-      const double part = inverse * unpolarized(bsdf_.evaluate_bounces(e, o, bounces, Transport::importance));
-      if (part > 0) result.by_bounces[bounces] = part;
-    }
+    SurfaceBrdf result;
+    typename Bsdf::Value sum(0);
+    bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
+      sum = sum + part;
+      if (bounces <= listed_bounces) result.by_bounces[bounces] += inverse * unpolarized(part);
+    });
+    result.value = reflected(typename Bsdf::Value(inverse * sum));
     return result;
   }
 
