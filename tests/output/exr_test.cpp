@@ -83,8 +83,7 @@ TEST_CASE("what a number of the file cannot hold is refused, and never becomes i
       "cannot write '" + (folder / "a.exr").string() + "': channel 'G' has the value ";
   CHECK(refusal(65504, ExrNumber::float16).empty());
   CHECK(refusal(65505, ExrNumber::float16) == beginning + "65505, --precision half holds none beyond 65504");
-  CHECK(refusal(-3e6f, ExrNumber::float16) ==
-        beginning + "-3e+06, --precision half holds none beyond 65504");
+  CHECK(refusal(-3e6f, ExrNumber::float16) == beginning + "-3e+06, --precision half holds none beyond 65504");
   CHECK(refusal(-3e6f, ExrNumber::float32).empty());
   CHECK(refusal(std::numeric_limits<float>::infinity(), ExrNumber::float32).starts_with(beginning + "inf"));
   CHECK(refusal(std::numeric_limits<float>::quiet_NaN(), ExrNumber::float32).starts_with(beginning + "nan"));
