@@ -16,11 +16,13 @@ concept Number = std::numeric_limits<T>::is_specialized;
 
 namespace detail {
 template <class Value>
-struct Scalar {
+struct Scalar {};
+template <Number Value>
+struct Scalar<Value> {
   using type = Value;
 };
 template <class Value>
-  requires(!Number<Value>)
+  requires(!Number<Value>) && requires { typename Value::value_type; }
 struct Scalar<Value> {
   using type = typename Value::value_type;
 };

@@ -21,9 +21,6 @@ constexpr double albedo_tolerance = 1e-6;
 /// The same in maps.
 constexpr double table_tolerance = 1e-4;
 
-/// The bi-hemispherical reflectance of narrow grooves is not known better.
-constexpr double least_tolerance = 1e-9;
-
 /// The distribution of the command line: one type, so that the physics is compiled once for all.
 class ChosenSlopes {
  public:
@@ -103,8 +100,7 @@ class RoughSurface final : public Surface {
   }
 
   Integral<double> bihemispherical(double tolerance) const override {
-    return bihemispherical_reflectance(bsdf_.distribution(), bsdf_.facet(),
-                                       std::max(tolerance, least_tolerance), max_bounces_);
+    return bihemispherical_reflectance(bsdf_.distribution(), bsdf_.facet(), tolerance, max_bounces_);
   }
 
  private:
