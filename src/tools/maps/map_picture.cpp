@@ -51,6 +51,8 @@ Wording wording(const MapRequest& request) {
 }
 
 std::string in_lower_case(std::string text) {
+  // An abbreviation, such as BRDF, stays as it is.
+  if (text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1]))) return text;
   text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
   return text;
 }
@@ -223,7 +225,9 @@ std::vector<std::string> subtitle(const MapRequest& any, const Labels& labels, c
   std::vector<std::string> lines;
   std::string line = light_in_words(any);
   if (white != 1) line += "White stands for a luminance of " + with_digits(white, 6) + " and above. ";
-  line += "The grooves run upwards in the picture.";
+  const auto& roughness = any.surface.roughness;
+  if (!roughness || roughness->distribution == Roughness::Distribution::brushed)
+    line += "The grooves run upwards in the picture.";
   if (any.max_bounces != all_bounces)
     line += " At most " + std::to_string(any.max_bounces) + (any.max_bounces == 1 ? " bounce." : " bounces.");
   if (any.polarization != Polarization::none)
