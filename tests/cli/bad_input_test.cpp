@@ -45,6 +45,7 @@ TEST_CASE("what is no number of the accepted range is refused with option, value
        {a_ray + "inf", "--aperture: 'inf' is not accepted, expected a number above 0 to 180"},
        {a_ray + "1e400", "--aperture: '1e400' is not accepted, expected a number above 0 to 180"},
        {a_ray + "45deg", "--aperture: '45deg' is not accepted, expected a number above 0 to 180"},
+       {a_ray + "1e-9", "--aperture: '1e-09' is too narrow, expected at least 1.15e-07 degrees"},
        {a_groove + "--theta 91 --phi 0", "--theta: '91' is not accepted, expected a number from 0 to 90"},
        {a_groove + "--theta nan --phi 0", "--theta: 'nan' is not accepted, expected a number from 0 to 90"},
        {a_groove + "--theta 0 --phi 361", "--phi: '361' is not accepted, expected a number from -360 to 360"},

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vcavity/conventions.hpp>
+#include <vcavity/groove/cavity.hpp>
 #include <vcavity/rough/slope_distribution.hpp>
 
 #include "tools/commands/options.hpp"
@@ -147,6 +149,11 @@ void check(const SurfaceOptions& options) {
   check_distribution(options);
   if (options.apertures_deg.empty() && options.profiles.slopes_deg.empty() && !options.distribution)
     throw UsageError("--aperture is required");
+  const double narrowest_deg = degrees(Cavity<double>::smallest_aperture());
+  for (const double aperture_deg : options.apertures_deg)
+    if (aperture_deg < narrowest_deg)
+      throw UsageError("--aperture: '" + exact(aperture_deg) + "' is too narrow, expected at least " +
+                       with_digits(narrowest_deg, 3) + " degrees");
   if (!options.apertures_deg.empty() && !options.profiles.slopes_deg.empty())
     throw UsageError("--slopes: stand in place of --aperture, expected one of them");
 }
