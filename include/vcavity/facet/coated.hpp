@@ -316,6 +316,8 @@ class Film {
   /// The same with lengths.
   /// @param thickness_nm thickness, ≥ 0
   /// @param wavelength_nm wavelength in the incident medium, > 0, one for each component
+  /// @param n real part of the refractive index, relative to the incident medium
+  /// @param k extinction coefficient, ≥ 0
   static Film of_thickness_nm(const Value& n, const Value& k, const Real& thickness_nm,
                               const Value& wavelength_nm) {
     constexpr Real most = std::numeric_limits<float>::max();

@@ -184,6 +184,7 @@ class AsymmetricOpening {
 
     /// f_j, where j is the bounce at which the ray is, at least 2.
     /// @param before f_{j−1}, which f_j never exceeds
+    /// @param ray the ray at its present bounce
     VCAVITY_INLINE Real at(const UnfoldedRay<Real>& ray, const Real& before) const {
       const Real share =
           select(opening_.both_, Real(length(ray) * ray.normal_component() * opening_.inverse_width_),
@@ -284,6 +285,7 @@ VCAVITY_INLINE UnfoldedRay<Real> unfold(const AsymmetricGroove<Scalar>& groove, 
 }
 
 /// The direction in which light travels that leaves after the bounce at which a ray is.
+/// @param groove the groove
 /// @param ray unfolded in this groove
 template <class Scalar, class Real>
 Vec3<Real> exit_direction(const AsymmetricGroove<Scalar>& groove, const UnfoldedRay<Real>& ray) {
@@ -295,6 +297,7 @@ Vec3<Real> exit_direction(const AsymmetricGroove<Scalar>& groove, const Unfolded
 /// Where the rays of a direction enter they are in the order of their distance from the apex: those that meet panel one
 /// first at y below the others, those that bounce most nearest to them.
 ///
+/// @param groove the groove
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real>

@@ -76,6 +76,7 @@ class LitOpening {
 
     /// f_j, where j is the bounce at which the ray is, at least 2.
     /// @param before f_{j−1}, which f_j never exceeds
+    /// @param ray the ray at its present bounce
     VCAVITY_INLINE Real at(const UnfoldedRay<Real>& ray, const Real& before) const {
       Real on_one(0);
       if (!opening_.all_both_) {

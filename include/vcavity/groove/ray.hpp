@@ -35,6 +35,7 @@ struct RayPath {
 /// A ray through the apex counts as meeting panel two first, one through the edge of a panel's image as
 /// meeting that image. The answer is at least 1 and at most `max_bounces`, whatever the rounding.
 ///
+/// @param cavity the groove
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the opening, a fraction of its half width in [−1, 1]
 template <class Real>

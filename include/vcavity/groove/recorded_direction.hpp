@@ -23,6 +23,7 @@ class RecordedDirection {
   }
 
   /// Notes down another direction, in the memory of the one before.
+  /// @param cavity the groove
   /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
   /// @param max_bounces lobes of more bounces are left out
   void follow(const Cavity<Real>& cavity, const Vec3<Real>& e, int max_bounces = all_bounces) {

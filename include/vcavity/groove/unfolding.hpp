@@ -29,8 +29,7 @@ Panel facing_panel(const Vec3<Real>& e) {
   return e.y < Real(0) ? Panel::two : Panel::one;
 }
 
-/// The same for a pack of directions.
-/// @param e directions towards the light, all with e.y ≥ 0; mirror the others
+/// The same for a pack of directions, all with e.y ≥ 0; mirror the others.
 template <class Real>
 Panel facing_panel([[maybe_unused]] const Vec3<Real>& e) {
   assert(!any_of(e.y < scalar_t<Real>(0)));
@@ -140,6 +139,7 @@ class UnfoldedRay {
 
 /// The value of a facet for the bounce at which a ray is.
 /// @param facet facet reflectance
+/// @param ray the ray at its present bounce
 template <class Real, FacetReflectance<Real> Facet>
 VCAVITY_INLINE value_t<Facet, Real> reflect(const Facet& facet, const UnfoldedRay<Real>& ray) {
   if constexpr (std::invocable<const Facet&, const Real&>) {

@@ -96,6 +96,7 @@ std::vector<Real> kinks(const AsymmetricGroove<Real>& groove, const Facet& facet
 
 /// Bi-hemispherical reflectance (Eq. 26) of an asymmetric groove, with an estimate of its error and its cost.
 ///
+/// @param groove the groove
 /// @param facet facet reflectance, such as a material or `PanelFacets`
 /// @param tolerance absolute error to aim at, > 0; what rounding forbids is not attempted
 /// @param max_bounces light that needs more bounces is left out

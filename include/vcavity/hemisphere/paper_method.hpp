@@ -14,9 +14,11 @@
 namespace vcavity::paper_method {
 
 /// Directional reflectance by the midpoint rule over the opening (Eq. 20).
+/// @param cavity the groove
 /// @param e direction towards the light, e.z ≥ 0
 /// @param positions number of rays across the opening, ≥ 1
 /// @param max_bounces rays of more bounces count as black
+/// @param facet facet reflectance
 template <class Real, FacetReflectance<Real> Facet>
 power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const Vec3<Real>& e,
                                              const Facet& facet, int positions,
@@ -33,10 +35,12 @@ power_t<Facet, Real> directional_reflectance(const Cavity<Real>& cavity, const V
 }
 
 /// Bi-hemispherical reflectance by the midpoint rule over position, polar angle and azimuth (Eq. 26).
+/// @param cavity the groove
 /// @param positions number of positions across the opening, ≥ 1
 /// @param polar number of polar angles θ in [0, π/2], ≥ 1
 /// @param azimuthal number of azimuths φ in [0, 2π), ≥ 1
 /// @param max_bounces rays of more bounces count as black
+/// @param facet facet reflectance
 template <class Real, FacetReflectance<Real> Facet>
 power_t<Facet, Real> bihemispherical_reflectance(const Cavity<Real>& cavity, const Facet& facet,
                                                  int positions, int polar, int azimuthal,

@@ -366,6 +366,7 @@ Value bihemispherical_reflectance(const InterreflectionKernel<Real>& kernel, con
 }
 
 /// The same for panels of different albedos, to an absolute error of some ε/sin(α/2).
+/// @param kernel of the aperture
 /// @param albedo_one,albedo_two of the two panels, in [0, 1]
 template <class Real, class Value>
 Value bihemispherical_reflectance(const InterreflectionKernel<Real>& kernel, const Value& albedo_one,
@@ -386,17 +387,21 @@ Value bihemispherical_reflectance(const InterreflectionKernel<Real>& kernel, con
 template <class Real, class Value = Real>
 class LambertianCavity {
  public:
+  /// @param cavity the groove
   /// @param albedo ρ of both panels, in [0, 1]
   /// @throws std::invalid_argument when a component of an albedo is out of range
   LambertianCavity(const Cavity<Real>& cavity, const Value& albedo)
       : LambertianCavity(cavity, albedo, albedo) {}
 
+  /// @param cavity the groove
   /// @param albedo_one,albedo_two of panels one (y < 0) and two
   LambertianCavity(const Cavity<Real>& cavity, const Value& albedo_one, const Value& albedo_two)
       : LambertianCavity(std::make_shared<const LambertianGeometry<Real>>(cavity), albedo_one, albedo_two) {}
 
   /// The same for another albedo or wavelength: the geometry is not computed again.
   /// @param geometry not null
+  /// @param albedo_one ρ of panel one, in [0, 1]
+  /// @param albedo_two ρ of panel two, in [0, 1]
   LambertianCavity(std::shared_ptr<const LambertianGeometry<Real>> geometry, const Value& albedo_one,
                    const Value& albedo_two)
       : geometry_(std::move(geometry)), albedo_one_(albedo_one), albedo_two_(albedo_two) {
@@ -491,6 +496,7 @@ class LambertianCavity {
   /// Radiosity along a panel under diffuse light of unit irradiance on the opening: what leaves a place in all
   /// directions.
   /// @param s distance from the apex, in [0, 1]; 1 is the rim
+  /// @param panel which panel
   Value radiosity(Panel panel, const Real& s) const {
     return value_of_components<Value>([&](std::size_t i) { return Real(1) - panels_[i].absorbed(panel, s); });
   }

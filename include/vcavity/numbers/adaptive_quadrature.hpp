@@ -59,6 +59,7 @@ struct QuadratureOrders {
 
   /// The number of nodes that bring an error down by a factor.
   /// @param rate per node; a guess stands in for 0
+  /// @param factor of safety on the number of nodes
   std::size_t nodes(double factor, double rate) const {
     constexpr double guess = 1.5;
     const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);

@@ -56,6 +56,8 @@ glm::vec<length, bool> operator>(const glm::vec<length, Real>& a, const Real& b)
 
 /// Component by component, `a` where a mask is set and `b` elsewhere.
 /// @param mask of a comparison
+/// @param a what is taken where the mask is true
+/// @param b what is taken elsewhere
 template <class Value>
 Value select(bool mask, const Value& a, const Value& b) {
   return mask ? a : b;

@@ -100,6 +100,7 @@ struct SeriesDecay {
 /// The terms beyond those that the rule resolves continue the fall of the last known ones. Its rate is the
 /// smaller of that of the singularities and of the trusted part of that observed.
 ///
+/// @param rule the rule
 /// @param sizes of the terms of the rule, as `SeriesRule::projection` adds them up
 /// @param decay what is known of the series
 /// @param noise error of the coefficients, below which they say nothing

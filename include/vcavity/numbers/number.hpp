@@ -34,6 +34,7 @@ using scalar_t = typename detail::Scalar<Value>::type;
 
 /// A number without its fraction, as an int; 0 for negative numbers and for what is no number.
 /// @param most the largest result, ≥ 0; no larger number is ever converted
+/// @param x the number
 template <Number Real>
 int whole_at_most(const Real& x, int most) {
   if (!(x > Real(0))) return 0;

@@ -230,6 +230,7 @@ double measured_rounding_bound(const Cavity<double>& cavity, const Facet& facet)
 /// Bound on the absolute rounding error of a directional reflectance or absorptance, in any direction and any
 /// model of polarisation.
 /// @tparam Real the number type that it is computed with
+/// @param cavity the groove
 /// @param facet facet with a contrast, such as `Conductor` or `Dielectric`; or with amplitudes in any number
 /// type, such as `Coated`, for which the bound is an estimate
 /// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
@@ -248,9 +249,11 @@ double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
 /// So a looser tolerance never asks for more. Where even double precision cannot promise its share, which a
 /// critical angle makes up to 1e-4, `bounds` says so.
 ///
+/// @param cavity the groove
 /// @param facet facet with amplitudes that `rounding_bound` takes, such as `Conductor`, `Dielectric` or
 /// `Coated`
 /// @param tolerance largest absolute error of the reflectance, > 0
+/// @param illumination of the scene
 /// @throws std::invalid_argument when the tolerance is not a positive number
 template <FieldReflector<double> Facet>
 EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, double tolerance,
@@ -311,7 +314,10 @@ auto follow_plan(const EffectsPlan& plan, const Cavity<double>& cavity, const Fa
 ///       plan.max_bounces))};
 ///     });
 ///
+/// @param plan as from `plan_effects`
+/// @param cavity the groove
 /// @param n, k complex index of the facets, as `Conductor` takes it
+/// @param use what is called
 /// @return what `use` returns, of one type for all plans
 template <class Use>
 auto with_effects(const EffectsPlan& plan, const Cavity<double>& cavity, double n, double k, Use&& use) {

@@ -43,6 +43,7 @@ struct CriticalElevations {
 }  // namespace detail
 
 /// Bi-hemispherical reflectance of a profile with a floor.
+/// @param profile the profile
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @param tolerance absolute error to aim at, > 0; the error estimate is larger where it cannot be reached
 /// @throws std::invalid_argument when the tolerance is not a positive number
@@ -80,6 +81,7 @@ auto bihemispherical_reflectance(
 }
 
 /// Bi-hemispherical reflectance of grooves with land between them.
+/// @param profile the profile
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @param tolerance absolute error to aim at, > 0
 /// @throws std::invalid_argument when the tolerance is not a positive number

@@ -45,6 +45,8 @@ class Land {
 
   /// Follows all light of a direction; see `Profile`.
   /// @param e direction towards the light, e.z ≥ 0
+  /// @param facets facet reflectances of the faces, or one for all
+  /// @param visit called for each part of the light
   template <class Facets, class Visit>
   void follow(const Vec3<value_type>& e, const Facets& facets, Visit&& visit) const {
     using Value = face_value_t<Facets, value_type>;

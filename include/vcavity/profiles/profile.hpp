@@ -45,6 +45,7 @@ struct ProfileLobe {
 };
 
 /// The lobes of a direction, in the order in which they are found.
+/// @param profile the profile
 /// @param e direction towards the light, e.z ≥ 0
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @return lobes whose weights add up to 1 but for rounding; none is the rounding error of another
@@ -61,6 +62,7 @@ auto lobes(const Shape& profile, const Vec3<typename Shape::value_type>& e, cons
 }
 
 /// Directional reflectance of a profile.
+/// @param profile the profile
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @return a value of the facets' type, or what its `power` makes of it
@@ -117,6 +119,7 @@ const AbsorbedPower<Value>& absorbed_part(const AbsorbedPower<Value>& absorbed) 
 /// Directional absorptance of a profile, and by Kirchhoff's law its emissivity: a sum of positive terms that keeps its
 /// digits where the reflectance is close to 1. Of `polarized` facets a quadratic form, `unpolarized` of which is the
 /// absorptance of unpolarised light.
+/// @param profile the profile
 /// @param e direction towards the light or the observer, e.z ≥ 0
 /// @param facets one facet that knows its absorptance, or `FaceFacets` of such
 template <Profile Shape, class Facets>
@@ -127,6 +130,7 @@ auto directional_absorptance(const Shape& profile, const Vec3<typename Shape::va
 }
 
 /// Mean number of bounces of the rays of a direction.
+/// @param profile the profile
 /// @param e direction towards the light, e.z ≥ 0
 template <Profile Shape>
 auto mean_bounces(const Shape& profile, const Vec3<typename Shape::value_type>& e) {
@@ -140,6 +144,7 @@ auto mean_bounces(const Shape& profile, const Vec3<typename Shape::value_type>& 
 
 /// The rays of a direction that the one through a point of the period belongs to. One on the border of two pencils
 /// belongs to either.
+/// @param profile the profile
 /// @param e direction towards the light, e.z ≥ 0
 /// @param position where the ray crosses the plane of the rims: a fraction of the period in [0, 1], from the rim of panel
 ///        one towards +y; land comes last

@@ -73,6 +73,7 @@ Real covered(std::vector<std::pair<Real, Real>>& intervals) {
 }  // namespace detail
 
 /// Bounds for the bi-hemispherical reflectance.
+/// @param cavity the groove
 /// @param radius of the fillets in panel widths, in [0, tan(α/2)]
 /// @throws std::invalid_argument when it is out of range or is not a number
 template <class Real>
@@ -82,6 +83,7 @@ RoundingBound<Real> rounding_bound(const Cavity<Real>& cavity, const Real& radiu
 }
 
 /// Bounds for the directional reflectance.
+/// @param cavity the groove
 /// @param e direction towards the light, e.z > 0; for grazing light the bounds lose digits like ε/e.z
 /// @param radius of the fillets in panel widths, in [0, tan(α/2)]
 /// @throws std::invalid_argument when it is out of range or is not a number

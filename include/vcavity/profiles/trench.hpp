@@ -54,6 +54,8 @@ class Trench {
   /// Grazing light counts as if it met no more than 2³⁰ walls. As all bounces on a wall are alike, many take no longer
   /// than their binary digits.
   /// @param e direction towards the light, e.z ≥ 0
+  /// @param facets facet reflectances of the faces, or one for all
+  /// @param visit called for each part of the light
   template <class Facets, class Visit>
   void follow(const Vec3<Real>& e, const Facets& facets, Visit&& visit) const {
     using std::floor;

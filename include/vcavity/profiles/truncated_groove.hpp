@@ -78,6 +78,8 @@ class TruncatedGroove {
 
   /// Follows all light of a direction; see `Profile`.
   /// @param towards_light direction towards the light, z ≥ 0
+  /// @param facets facet reflectances of the faces, or one for all
+  /// @param visit called for each part of the light
   template <class Facets, class Visit>
   void follow(const Vec3<Real>& towards_light, const Facets& facets, Visit&& visit) const {
     assert(towards_light.z >= Real(0));

@@ -147,6 +147,7 @@ class GrooveBsdf {
   /// Draws a lobe.
   /// @param wo unit vector away from the surface
   /// @param u random number, uniform in [0, 1]
+  /// @param transport which way the light goes; matters for Mueller matrices only
   /// @return nothing below the horizon, or when no light is left
   std::optional<BsdfSample<Real, Value>> sample(const Vec3<Real>& wo, const Real& u,
                                                 Transport transport = Transport::radiance) const {

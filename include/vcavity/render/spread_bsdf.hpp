@@ -36,6 +36,7 @@ class SpreadGrooveBsdf {
   /// BSDF × cosine: what radiance from `wi`, per steradian, counts towards `wo`; 0 if either is below the
   /// horizon.
   /// @param wo,wi unit vectors away from the surface
+  /// @param transport which way the light goes; matters for Mueller matrices only
   Value evaluate(const Vec3<Real>& wo, const Vec3<Real>& wi,
                  Transport transport = Transport::radiance) const {
     Value result(0);
@@ -57,6 +58,7 @@ class SpreadGrooveBsdf {
   /// @param wo unit vector away from the surface
   /// @param u_lobe random number, uniform in [0, 1]
   /// @param u_direction two random numbers, uniform in [0, 1]
+  /// @param transport which way the light goes; matters for Mueller matrices only
   /// @return nothing below the horizon, or when no light is left
   std::optional<BsdfSample<Real, Value>> sample(const Vec3<Real>& wo, const Real& u_lobe,
                                                 const Vec2<Real>& u_direction,

@@ -25,6 +25,7 @@ class BrushedSlopes {
 
   /// Grooves with the slopes of an isotropic distribution.
   /// @param concentration κ of the azimuth of the grooves about x, in [0, 1e6]; 0 is isotropic
+  /// @param slopes distribution of the slopes, isotropic
   /// @throws std::invalid_argument when it is out of range or not a number
   BrushedSlopes(Slopes slopes, const Real& concentration)
       : slopes_(std::move(slopes)), azimuths_(concentration) {}

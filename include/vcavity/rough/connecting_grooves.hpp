@@ -89,6 +89,7 @@ class ConnectingGrooves {
   }
 
   /// BRDF × cosine of the light that goes this way, for facets that reflect all light.
+  /// @param groove the groove
   /// @param facet_density D(m) of the groove's facets, see slope_distribution.hpp
   Real density(const ConnectingGroove<Real>& groove, const Real& facet_density) const {
     // cos(α/2)/|h| is 1/|e + o| for one bounce; so it has its value in the mirror direction too.
@@ -116,6 +117,7 @@ class ConnectingGrooves {
   /// BRDF × cosine of all light of more than `max_bounces` bounces, for facets that reflect all light: by the
   /// Euler–Maclaurin formula, with a relative error of the whole BRDF of 3e-4 at most for 32, and seldom a fifth of that.
   /// @param steepest_density D of the facets of vertical slope, whose normal is the horizontal vector `across`
+  /// @param max_bounces light that needs more bounces is left out
   Real density_beyond(int max_bounces, const Real& steepest_density) const {
     if (!(tilt_ > Real(0)) || !(steepest_density > Real(0))) return Real(0);
     Real sum(0);

@@ -20,6 +20,8 @@ class MixedSlopes {
   using Real = value_type;
 
   /// @param share of the mean area that has grooves of the first distribution, in [0, 1]
+  /// @param first the one distribution
+  /// @param second the other one
   /// @throws std::invalid_argument when it is out of range or not a number
   MixedSlopes(First first, Second second, const Real& share)
       : first_(std::move(first)), second_(std::move(second)), share_(share) {

@@ -76,6 +76,7 @@ class RoughGrooveBsdf {
   /// @param distribution of the grooves
   /// @param facet facet reflectance
   /// @param max_bounces light that needs more bounces goes the way of `long_ways`; in [1, highest_limit]
+  /// @param long_ways what becomes of light beyond the bounce limit
   /// @throws std::invalid_argument when the limit is out of range
   RoughGrooveBsdf(Distribution distribution, Facet facet, int max_bounces = default_max_bounces,
                   LongWays long_ways = LongWays::lost)
@@ -102,6 +103,7 @@ class RoughGrooveBsdf {
 
   /// BSDF × cosine: what radiance from `wi`, per steradian, counts towards `wo`; 0 if either is below the horizon.
   /// @param wo, wi unit vectors away from the surface
+  /// @param transport which way the light goes; matters for Mueller matrices only
   Value evaluate(const Vec3<Real>& wo, const Vec3<Real>& wi,
                  Transport transport = Transport::radiance) const {
     return evaluate_with_pdf(wo, wi, transport).value;
@@ -109,6 +111,9 @@ class RoughGrooveBsdf {
 
   /// Of this the part that has bounced a given number of times.
   /// @param bounces at least 1; beyond the limit nothing is left
+  /// @param wo unit vector away from the surface
+  /// @param wi unit vector away from the surface
+  /// @param transport which way the light goes; matters for Mueller matrices only
   Value evaluate_bounces(const Vec3<Real>& wo, const Vec3<Real>& wi, int bounces,
                          Transport transport = Transport::radiance) const {
     Value result(0);
@@ -124,6 +129,9 @@ class RoughGrooveBsdf {
   /// All parts of this by the number of bounces, in one pass.
   /// @param visit called with a number of bounces and a part, in ascending order; for a number twice where either
   ///        panel may be met first. What `LongWays::without_loss` adds is in none of them.
+  /// @param wo unit vector away from the surface
+  /// @param wi unit vector away from the surface
+  /// @param transport which way the light goes; matters for Mueller matrices only
   template <class Visit>
   void for_each_part(const Vec3<Real>& wo, const Vec3<Real>& wi, Transport transport, Visit&& visit) const {
     for_each_term(wo, wi, max_bounces_,
@@ -148,6 +156,7 @@ class RoughGrooveBsdf {
 
   /// Both in one pass.
   /// @param wo, wi unit vectors away from the surface
+  /// @param transport which way the light goes; matters for Mueller matrices only
   BsdfEvaluation<Real, Value> evaluate_with_pdf(const Vec3<Real>& wo, const Vec3<Real>& wi,
                                                 Transport transport = Transport::radiance) const {
     BsdfEvaluation<Real, Value> result{Value(0), Real(0)};
@@ -172,6 +181,7 @@ class RoughGrooveBsdf {
   /// @param wo unit vector away from the surface
   /// @param u_ray random number, uniform in [0, 1]: of the ray in the groove
   /// @param u_groove two random numbers, uniform in [0, 1]: of the groove
+  /// @param transport which way the light goes; matters for Mueller matrices only
   /// @return nothing below the horizon, or when no light is left. The panel and the bounces are those of the ray
   ///         drawn; weight and probability are those of all grooves that lead to the direction.
   std::optional<BsdfSample<Real, Value>> sample(const Vec3<Real>& wo, const Real& u_ray,
