@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
 #include <regex>
 #include <set>
 
@@ -29,14 +28,12 @@ std::vector<std::string> examples(const std::filesystem::path& document) {
 TEST_CASE("the examples of the documents work") {
   const std::filesystem::path root = VCAVITY_ROOT;
   std::set<std::string> done;
-  for (const auto& document :
-       {root / "README.md", root / "docs/tool.md", root / "docs/effects.md", root / "docs/profiles.md",
-        root / "docs/films.md", root / "docs/rough.md", root / "docs/matte.md"}) {
+  for (const auto& document : {root / "README.md", root / "docs/tool.md", root / "docs/effects.md",
+                               root / "docs/profiles.md", root / "docs/films.md", root / "docs/rough.md"}) {
     const std::vector<std::string> lines = examples(document);
     CHECK(lines.size() >= 4);
     const ScratchFolder folder;
     write_exr(folder / "sky.exr", {2, 1, {{"Y", {1, 1}}}, {}});  // that an example shows reflected
-    std::ofstream(folder / "paint.csv") << "wavelength_nm,reflectance\n400,0.1\n700,0.6\n";
     for (const std::string& line : lines) {
       if (!done.insert(line).second) continue;
       const Outcome outcome = run(line, folder.path());
@@ -50,7 +47,7 @@ TEST_CASE("the examples of the documents work") {
 TEST_CASE("commands are named only in examples, so that none goes untested") {
   // In running text a command stands without options.
   for (const char* document : {"README.md", "docs/tool.md", "docs/effects.md", "docs/profiles.md",
-                               "docs/films.md", "docs/rough.md", "docs/matte.md"}) {
+                               "docs/films.md", "docs/rough.md"}) {
     const std::string text = content(std::filesystem::path(VCAVITY_ROOT) / document);
     CAPTURE(document);
     const std::regex with_options("`vcavity_maps [a-z]+ -[^`]*`");
