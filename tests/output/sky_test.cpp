@@ -12,6 +12,7 @@
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
+#include <algorithm>
 
 #include <cstdint>
 #include <limits>
@@ -45,7 +46,7 @@ void write(const std::filesystem::path& path, Imf::Header header, const std::vec
     for (int y = window.min.y; y <= window.max.y; ++y)
       for (int x = window.min.x; x <= window.max.x; ++x) {
         floats[c].push_back(value_at(x, y, static_cast<int>(c)));
-        whole[c].push_back(static_cast<std::uint32_t>(floats[c].back()));
+        whole[c].push_back(static_cast<std::uint32_t>(std::max(floats[c].back(), 0.0f)));
       }
     const void* values = type == Imf::UINT ? static_cast<const void*>(whole[c].data()) : floats[c].data();
     buffer.insert(names[c], Imf::Slice::Make(type, values, window.min, width, height));
