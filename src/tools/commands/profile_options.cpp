@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tools/commands/options.hpp"
+#include "tools/commands/vary.hpp"
 #include "tools/materials/catalogue.hpp"
 #include "tools/support/error.hpp"
 
@@ -40,19 +41,6 @@ std::vector<std::array<double, 2>> slopes_of(const std::string& list) {
 std::optional<Material> loaded(const std::string& name) {
   if (name.empty()) return std::nullopt;
   return load_material(name);
-}
-
-/// Each of the surfaces with each of the values of an option that was given.
-template <class Value, class Set>
-void vary(std::vector<SurfaceDescription>& surfaces, const std::vector<Value>& values, const Set& set) {
-  if (values.empty()) return;
-  std::vector<SurfaceDescription> varied;
-  for (const SurfaceDescription& surface : surfaces)
-    for (const Value& value : values) {
-      varied.push_back(surface);
-      set(varied.back(), value);
-    }
-  surfaces = std::move(varied);
 }
 
 }  // namespace

@@ -10,27 +10,13 @@
 #include <vcavity/rough/slope_distribution.hpp>
 
 #include "tools/commands/options.hpp"
+#include "tools/commands/vary.hpp"
 #include "tools/materials/catalogue.hpp"
 #include "tools/support/error.hpp"
 #include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {
-
-/// Each of the surfaces with each of the values of an option, all values of the first surface first.
-/// @param values empty if the option was not given: the surfaces stay as they are then
-/// @param set writes a value into a description
-template <class Value, class Set>
-void vary(std::vector<SurfaceDescription>& surfaces, const std::vector<Value>& values, const Set& set) {
-  if (values.empty()) return;
-  std::vector<SurfaceDescription> varied;
-  for (const SurfaceDescription& surface : surfaces)
-    for (const Value& value : values) {
-      varied.push_back(surface);
-      set(varied.back(), value);
-    }
-  surfaces = std::move(varied);
-}
 
 /// A film of each thickness that `M:NM` names, where NM may be a list or a range.
 std::vector<FilmLayer> films_of(const std::string& words, MissingExtinction missing) {
