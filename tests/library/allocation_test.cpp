@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <new>
 #include <vcavity/vcavity.hpp>
-#include <vector>
 
 #include "support/catch.hpp"
 
@@ -68,10 +67,11 @@ long allocations_of(const Facet& facet) {
 }  // namespace
 
 TEST_CASE("the counter counts") {
+  // Through a volatile pointer, as compilers may leave out a pair of new and delete that nobody sees.
   const long before = allocations;
-  std::vector<int> kept(1000);
+  void* volatile kept = ::operator new(1000);
   const long after = allocations;
-  CHECK(kept.size() == 1000);
+  ::operator delete(kept);
   CHECK(after == before + 1);
 }
 
