@@ -52,7 +52,8 @@ TEST_CASE("what is no number of the accepted range is refused with option, value
        {a_ray + "45 --position 1.5", "--position: '1.5' is not accepted, expected a number from -1 to 1"},
        {a_ray + "45 --position nan", "--position: 'nan' is not accepted, expected a number from -1 to 1"},
        {a_ray + "45 --wavelength 0", "--wavelength: '0' is not accepted, expected a number above 0 to 1e+12"},
-       {a_table + "--aperture 45,,60", "--aperture: '' is not accepted, expected a number above 0 to 180"},
+       {a_table + "--aperture 45,,60",
+        "--aperture: '45,,60' is not accepted, expected something before and behind every comma"},
        {a_table + "--aperture 30:180:0", "--aperture: '0' is not accepted, expected a number above 0"},
        {a_table + "--aperture 180:30:5",
         "--aperture: '180:30:5' is not accepted, expected LOW:HIGH:STEP with LOW not above HIGH"},
@@ -126,7 +127,8 @@ TEST_CASE("lists with nothing before or behind a comma are refused") {
        {"table --aperture 45 --material \"1.5",
         "--material: '\"1.5' is not accepted, expected a second "
         "quotation mark"},
-       {a_table + "--aperture 60,", "--aperture: '' is not accepted, expected a number above 0 to 180"}});
+       {a_table + "--aperture 60,",
+        "--aperture: '60,' is not accepted, expected something before and behind every comma"}});
 }
 
 TEST_CASE("a file with a comma in its name is a material of every command") {

@@ -42,6 +42,11 @@ CLI::Option* add_checked_number(CLI::App& command, const std::string& name, Valu
       help);
 }
 
+/// Refuses a list with nothing between two commas, or before the first or behind the last.
+void check_part_of_list(std::string_view part, std::string_view option, std::string_view list) {
+  if (part.empty()) throw unexpected(option, list, "something before and behind every comma");
+}
+
 }  // namespace
 
 UsageError unexpected(std::string_view option, std::string_view word, const std::string& expected) {
@@ -78,6 +83,7 @@ std::vector<double> checked_numbers(std::string_view words, std::string_view opt
                                     const Interval& interval) {
   std::vector<double> values;
   for (const std::string_view part : split(words, ',')) {
+    check_part_of_list(part, option, words);
     if (part.find(':') == part.npos) {
       values.push_back(checked_number(part, option, interval));
     } else {
@@ -201,8 +207,7 @@ std::vector<std::string> split_list(const std::string& words, std::string_view o
     }
   }
   if (quoted) throw unexpected(option, words, "a second quotation mark");
-  for (const std::string& part : parts)
-    if (part.empty()) throw unexpected(option, words, "something before and behind every comma");
+  for (const std::string& part : parts) check_part_of_list(part, option, words);
   return parts;
 }
 
