@@ -18,6 +18,7 @@
 #include "vcavity/numbers/per_component.hpp"
 #include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/small_differences.hpp"
+#include "vcavity/numbers/logarithm_sum.hpp"
 #include "vcavity/numbers/linear_system.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"

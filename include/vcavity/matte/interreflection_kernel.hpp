@@ -28,11 +28,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
+#include "vcavity/numbers/logarithm_sum.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/small_differences.hpp"
 
@@ -89,28 +91,8 @@ class InterreflectionKernel {
     Real complement;  ///< 1 − κ̂, with all its digits
   };
 
-  explicit InterreflectionKernel(const Cavity<Real>& cavity) : cavity_(cavity) {
-    using std::asinh;
-    using std::cosh;
-    using std::sinh;
-    const MehlerIntegral mehler(cavity.aperture());
-    const Real last = asinh(Real(2) * (digits() + Real(4)) / cavity.aperture());
-    for (int i = 0;; ++i) {
-      const Real v = Real(i) * step();
-      const Real weight = (i == 0 ? Real(1) : Real(2)) * step() / (pi<Real>() * cosh(v));
-      const Real negligible = std::numeric_limits<Real>::epsilon() / Real(16);
-      if (v <= last) {
-        Node node = mehler.at(sinh(v) / Real(2));
-        node.weight = weight;
-        if (weight * node.transform > negligible * cavity.sin_half()) {
-          nodes_.push_back(node);
-          continue;
-        }
-      }
-      tail_weight_ += weight;
-      if (weight < negligible * tail_weight_) break;
-    }
-  }
+  explicit InterreflectionKernel(const Cavity<Real>& cavity)
+      : InterreflectionKernel(cavity, quadrature(cavity)) {}
 
   /// A node for a groove of mirrors.
   struct ImageNode {
@@ -141,17 +123,17 @@ class InterreflectionKernel {
   /// The weight of all further nodes together.
   Real tail_weight() const { return tail_weight_; }
 
-  /// H and what follows from it, at the price of some 25 logarithms.
+  /// H and what follows from it, at a price that hardly depends on the aperture.
   /// @param albedo ρ in [−1, 1]
   InterreflectionGain<Real> gain(const Real& albedo) const {
     using std::exp;
     using std::log;
+    using std::log1p;
     const Real sin_half = cavity_.sin_half();
     const Real lack = Real(1) - albedo;
-    if (lack * Real(256) < at_most(cavity_.aperture(), Real(1))) {
+    if (albedo > Real(0) && lack <= albedo * logarithms_.all_above()) {
       // 1 − ρκ̂ from what is missing of 1 in either factor.
-      Real log_mean(0);
-      for (const Node& node : nodes_) log_mean -= node.weight * log(lack + albedo * node.complement);
+      const Real log_mean = -log(albedo) - logarithms_.with_all_above(Real(lack / albedo));
       const Real absorbed = lack * exp(log_mean);
       return {albedo, log_mean / Real(2), Real(1) - absorbed,
               Real(1) - lack * (Real(1) - absorbed) / (albedo * sin_half)};
@@ -160,18 +142,10 @@ class InterreflectionKernel {
     // z(1 − κ̂) itself is z sin(α/2), so that a small reflectance is not the difference of large numbers.
     const Real z = albedo / lack;
     if (z == Real(0)) return {albedo, Real(0), Real(0), Real(0)};
-    const LogarithmAndRest<Real> beyond = logarithm_and_rest(z);
-    Real sum = tail_weight_ * beyond.logarithm;
-    Real rest = tail_weight_ * beyond.rest;
-    for (const Node& node : nodes_) {
-      const LogarithmAndRest<Real> term = logarithm_and_rest(Real(z * node.complement));
-      sum += node.weight * term.logarithm;
-      rest += node.weight * term.rest;
-    }
-    // ln(1 + z) = −ln(1−ρ)
-    const ExponentialAndRest<Real> absorbed = exponential_and_rest(Real(-sum));
-    return {albedo, (beyond.logarithm - sum) / Real(2), -absorbed.less_one,
-            (rest + absorbed.rest) / (z * sin_half)};
+    const LogarithmAndRest<Real> sum = z < Real(0) ? logarithms_.at_negative(z) : logarithms_.at(z);
+    const ExponentialAndRest<Real> absorbed = exponential_and_rest(Real(-sum.logarithm));
+    return {albedo, (-log1p(Real(-albedo)) - sum.logarithm) / Real(2), -absorbed.less_one,
+            (sum.rest + absorbed.rest) / (z * sin_half)};
   }
 
   /// H(√p)² and H(−√p)², taken apart into even and odd numbers of crossings; with all digits as p tends to 0.
@@ -215,6 +189,54 @@ class InterreflectionKernel {
 
   /// Of the trapezoidal rule.
   static Real step() { return pi<Real>() * pi<Real>() / digits(); }
+
+  struct Quadrature {
+    std::vector<Node> nodes;
+    Real tail_weight;
+  };
+
+  static Quadrature quadrature(const Cavity<Real>& cavity) {
+    using std::asinh;
+    using std::cosh;
+    using std::sinh;
+    const MehlerIntegral mehler(cavity.aperture());
+    const Real last = asinh(Real(2) * (digits() + Real(4)) / cavity.aperture());
+    Quadrature result{{}, Real(0)};
+    for (int i = 0;; ++i) {
+      const Real v = Real(i) * step();
+      const Real weight = (i == 0 ? Real(1) : Real(2)) * step() / (pi<Real>() * cosh(v));
+      const Real negligible = std::numeric_limits<Real>::epsilon() / Real(16);
+      if (v <= last) {
+        Node node = mehler.at(sinh(v) / Real(2));
+        node.weight = weight;
+        if (weight * node.transform > negligible * cavity.sin_half()) {
+          result.nodes.push_back(node);
+          continue;
+        }
+      }
+      result.tail_weight += weight;
+      if (weight < negligible * result.tail_weight) break;
+    }
+    return result;
+  }
+
+  InterreflectionKernel(const Cavity<Real>& cavity, Quadrature quadrature)
+      : cavity_(cavity),
+        nodes_(std::move(quadrature.nodes)),
+        tail_weight_(quadrature.tail_weight),
+        logarithms_(logarithms(nodes_, tail_weight_)) {}
+
+  /// Σ of the weights times ln(1 + z(1 − κ̂)); where κ̂ is negligible, ln(1 + z).
+  static LogarithmSum<Real> logarithms(const std::vector<Node>& nodes, const Real& tail_weight) {
+    std::vector<Real> weights, places;
+    for (const Node& node : nodes) {
+      weights.push_back(node.weight);
+      places.push_back(node.complement);
+    }
+    weights.push_back(tail_weight);
+    places.push_back(Real(1));
+    return {std::move(weights), std::move(places)};
+  }
 
   /// The two integrals, with the factors that τ does not change.
   class MehlerIntegral {
@@ -287,7 +309,8 @@ class InterreflectionKernel {
 
   Cavity<Real> cavity_;
   std::vector<Node> nodes_;
-  Real tail_weight_{0};
+  Real tail_weight_;
+  LogarithmSum<Real> logarithms_;
 };
 
 }  // namespace vcavity
