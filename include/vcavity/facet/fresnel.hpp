@@ -34,6 +34,7 @@
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity {
 
@@ -172,6 +173,15 @@ class Conductor : public detail::FresnelInterface<Conductor<Value>, Value, Compl
     return in<Pack<Real, directions>>();
   }
 
+  /// The same for one component of the values: component `i`, counted from 0.
+  template <std::size_t directions>
+  Conductor<Pack<Real, directions>> over_directions(std::size_t i) const {
+    using Lanes = Pack<Real, directions>;
+    return {Lanes(component(permittivity_, i)),
+            {Lanes(component(contrast_.re, i)), Lanes(component(contrast_.im, i))},
+            Lanes(component(contrast_norm_, i))};
+  }
+
  private:
   template <class Other>
   friend class Conductor;
@@ -249,6 +259,13 @@ class Dielectric : public detail::FresnelInterface<Dielectric<Value>, Value, Val
     requires Number<Value>
   {
     return in<Pack<Real, directions>>();
+  }
+
+  /// The same for one component of the values: component `i`, counted from 0.
+  template <std::size_t directions>
+  Dielectric<Pack<Real, directions>> over_directions(std::size_t i) const {
+    using Lanes = Pack<Real, directions>;
+    return {Lanes(component(permittivity_, i)), Lanes(component(contrast_, i))};
   }
 
  private:

@@ -33,9 +33,11 @@
 #include <type_traits>
 
 #include "vcavity/conventions.hpp"
+#include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/pack.hpp"
 
 namespace vcavity {
 
@@ -47,6 +49,30 @@ struct ConnectingGroove {
   Real cos_half;      ///< cosine of half the aperture, sin θ_m
   Real sin_half;      ///< sine of half the aperture, cos θ_m
   Real beam;          ///< B, in [0, 2]: the width of the rays that go this way where the panels have width 1
+};
+
+/// Grooves of a few consecutive numbers of bounces that lead light from one direction into another, side by side: in
+/// each pair of lanes those of one number, with panel one and with panel two met first.
+template <class Real>
+struct GrooveBatch {
+  static constexpr std::size_t capacity = 8;
+  using Lanes = Pack<Real, capacity>;
+
+  int least_bounces;    ///< of the first pair of lanes
+  Lanes bounces;        ///< the numbers, in pairs
+  Lanes elevation;      ///< of the light above the panel that is met first, in the plane across the groove
+  Lanes half_aperture;  ///< α/2
+  Lanes cos_half, sin_half;
+  Lanes beam;  ///< B, as in `ConnectingGroove`; 0 where there is no groove
+
+  /// The number of bounces of a lane.
+  int bounces_of(std::size_t lane) const { return least_bounces + static_cast<int>(lane / 2); }
+
+  /// The groove of a lane; there is one if its beam is above 0.
+  ConnectingGroove<Real> operator[](std::size_t lane) const {
+    return {lane % 2 == 0 ? Panel::one : Panel::two, bounces_of(lane), cos_half[lane], sin_half[lane],
+            beam[lane]};
+  }
 };
 
 /// The grooves that lead light from one direction into another.
@@ -67,11 +93,6 @@ class ConnectingGrooves {
     cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
     const Real sum_z = e_.z + o_.z;
     inverse_sum_ = Real(1) / Real(sqrt(tilt_ * tilt_ + sum_z * sum_z));
-    const Elevation from = elevation(e_), to = elevation(o_);
-    series_[0] = Series(from, to);
-    series_[1] = Series(from.turned(), to.turned());
-    series_[2] = Series(from, to.turned());
-    series_[3] = Series(from.turned(), to);
   }
 
   /// The unit vector across the grooves, from the side of panel one to that of panel two.
@@ -79,6 +100,9 @@ class ConnectingGrooves {
 
   /// The direction towards the light in the frame of the grooves.
   const Vec3<Real>& to_light() const { return e_; }
+
+  /// cos η, the length of either direction in the plane across the grooves.
+  const Real& cos_eta() const { return cos_eta_; }
 
   /// The direction in which the light leaves, in the frame of the grooves.
   const Vec3<Real>& leaving() const { return o_; }
@@ -98,20 +122,48 @@ class ConnectingGrooves {
     return cos_eta_ / (Real(2) * e_.z) * (facet_density * slope * groove.beam);
   }
 
+  /// The groove of one bounce, a facet whose normal is half-way between the directions.
+  ConnectingGroove<Real> first() const {
+    const Real sum_z = e_.z + o_.z;
+    const Real sin_half = sum_z * inverse_sum_;
+    // e · m = |e + o|/2, and what the rims of the groove leave of it.
+    const Real lower = e_.z < o_.z ? e_.z : o_.z;
+    const Real lit = at_most(Real(Real(0.5) / inverse_sum_), Real(Real(2) * sin_half * lower));
+    return {Panel::one, 1, tilt_ * inverse_sum_, sin_half, lit / cos_eta_};
+  }
+
+  /// The normals of panel one, or of panel two turned by half a turn, of a batch, in the frame of the surface.
+  Vec3<typename GrooveBatch<Real>::Lanes> normals(const GrooveBatch<Real>& batch) const {
+    return {across_.x * batch.cos_half, across_.y * batch.cos_half, batch.sin_half};
+  }
+
+  /// `density` of a batch.
+  /// @param facet_densities D(m) of each
+  typename GrooveBatch<Real>::Lanes densities(
+      const GrooveBatch<Real>& batch, const typename GrooveBatch<Real>::Lanes& facet_densities) const {
+    return cos_eta_ / (Real(2) * e_.z) *
+           (facet_densities * batch.beam * batch.cos_half / (tilt_ * batch.bounces));
+  }
+
+  /// Calls `visit` with every groove of two to `max_bounces` bounces, in ascending order of these, many at once.
+  template <class Visit>
+  VCAVITY_INLINE void for_each_batch(int max_bounces, Visit&& visit) const {
+    if (!(tilt_ > Real(0)) || max_bounces < 2) return;
+    const LaneSeries series(elevation(e_), elevation(o_));
+    const Real most = series.most_bounces();
+    const int last = most < Real(max_bounces) ? static_cast<int>(most) : max_bounces;
+    for (int least = 2; least <= last; least += bounces_per_batch)
+      visit(static_cast<const GrooveBatch<Real>&>(series.batch(least, last)));
+  }
+
   /// Calls `visit` with every groove of at most `max_bounces` bounces, in ascending order of these.
   template <class Visit>
-  VCAVITY_INLINE void for_each(int max_bounces, Visit&& visit) const {
-    // One facet always does it, though by rounding alone where the light grazes the surface.
-    if (max_bounces >= 1) visit(series_[0].groove(Panel::one, 1));
-    if (!(tilt_ > Real(0))) return;
-    Real most(0);
-    for (const Series& series : series_) most = at_least(series.most_bounces(), most);
-    const int last = most < Real(max_bounces) ? static_cast<int>(most) : max_bounces;
-    for (int bounces = 2; bounces <= last; ++bounces) {
-      const Series* pair = bounces % 2 == 1 ? &series_[0] : &series_[2];
-      if (pair[0].reaches(bounces)) visit(pair[0].groove(Panel::one, bounces));
-      if (pair[1].reaches(bounces)) visit(pair[1].groove(Panel::two, bounces));
-    }
+  void for_each(int max_bounces, Visit&& visit) const {
+    if (max_bounces >= 1) visit(first());
+    for_each_batch(max_bounces, [&](const GrooveBatch<Real>& batch) {
+      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
+        if (batch.beam[lane] > Real(0)) visit(batch[lane]);
+    });
   }
 
   /// BRDF × cosine of all light of more than `max_bounces` bounces, for facets that reflect all light: by the
@@ -120,12 +172,13 @@ class ConnectingGrooves {
   /// @param max_bounces light that needs more bounces is left out
   Real density_beyond(int max_bounces, const Real& steepest_density) const {
     if (!(tilt_ > Real(0)) || !(steepest_density > Real(0))) return Real(0);
+    const Elevation from = elevation(e_), to = elevation(o_);
+    const std::array odd{Series(from, to), Series(from.turned(), to.turned())};
+    const std::array even{Series(from, to.turned()), Series(from.turned(), to)};
+    const bool odd_is_next = max_bounces % 2 == 0;
     Real sum(0);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const bool is_odd = i < 2;
-      const int first_left_out = (max_bounces % 2 == 1) == is_odd ? max_bounces + 2 : max_bounces + 1;
-      sum += series_[i].beyond(Real(first_left_out - 1));
-    }
+    for (const Series& series : odd) sum += series.beyond(Real(odd_is_next ? max_bounces : max_bounces + 1));
+    for (const Series& series : even) sum += series.beyond(Real(odd_is_next ? max_bounces + 1 : max_bounces));
     return cos_eta_ / (Real(2) * tilt_ * e_.z) * (steepest_density * sum);
   }
 
@@ -139,8 +192,7 @@ class ConnectingGrooves {
 
   /// The elevation of a direction above the side of panel one.
   VCAVITY_INLINE static Elevation elevation(const Vec3<Real>& v) {
-    using std::atan2;
-    const Real low = atan2(v.z, magnitude(v.y));
+    const Real low = detail::acute_angle(v.z, magnitude(v.y));
     const Real high = pi<Real>() - low;
     return v.y < Real(0) ? Elevation{high, low} : Elevation{low, high};
   }
@@ -148,31 +200,15 @@ class ConnectingGrooves {
   /// The ways of one parity of the number of bounces and one first panel.
   class Series {
    public:
-    Series() = default;
-    VCAVITY_INLINE Series(const Elevation& e, const Elevation& o)
-        : lower_(e.angle < o.angle ? e : o), upper_(e.angle < o.angle ? o : e) {
-      sum_ = lower_.angle + upper_.angle;
-      difference_ =
-          is_low() ? Real(upper_.angle - lower_.angle) : Real(lower_.complement - upper_.complement);
-      beta_ = Real(0.5) * (upper_.complement - lower_.angle);
+    Series(const Elevation& e, const Elevation& o) {
+      const Elevation& lower = e.angle < o.angle ? e : o;
+      const Elevation& upper = e.angle < o.angle ? o : e;
+      sum_ = lower.angle + upper.angle;
+      difference_ = lower.angle < lower.complement ? Real(upper.angle - lower.angle)
+                                                   : Real(lower.complement - upper.complement);
+      beta_ = Real(0.5) * (upper.complement - lower.angle);
       const Real slowest = at_least(Real(difference_ - Real(2) * beta_), difference_);
       most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
-    }
-
-    /// Ways of fewer bounces than this exist.
-    Real most_bounces() const { return most_bounces_; }
-
-    bool reaches(int bounces) const { return Real(bounces) < most_bounces_; }
-
-    VCAVITY_INLINE ConnectingGroove<Real> groove(Panel first, int bounces) const {
-      using std::cos;
-      using std::sin;
-      const Real inverse = Real(1) / Real(2 * bounces);
-      const Real half_aperture = sum_ * inverse;
-      const Real x = (Real(bounces + 1) * lower_.angle - Real(bounces - 1) * upper_.angle) * inverse;
-      const Real beam =
-          x < beta_ ? Real(Real(2) * cos(beta_) * sin(x)) : Real(sin(x_plus_beta(bounces, inverse)));
-      return {first, bounces, cos(half_aperture), sin(half_aperture), at_least(beam, Real(0))};
     }
 
     /// The integral of the terms cos(α/2) B/j over j from n on, in steps of 2, for D(m) = 1, with
@@ -197,21 +233,92 @@ class ConnectingGrooves {
     }
 
    private:
-    /// Whether both elevations are measured from the near horizon with more digits than from the far one.
-    bool is_low() const { return lower_.angle < lower_.complement; }
-
-    Real x_plus_beta(int bounces, const Real& inverse) const {
-      const Real upper = Real(2 * bounces - 1) * upper_.complement;
-      return (is_low() ? Real(upper + lower_.angle - Real(bounces - 1) * pi<Real>())
-                       : Real(upper - lower_.complement - Real(bounces - 2) * pi<Real>())) *
-             inverse;
-    }
-
-    Elevation lower_, upper_;
     Real sum_;         // jα
     Real difference_;  // |k_e − k_o|
     Real beta_;
     Real most_bounces_;
+  };
+
+  static constexpr int bounces_per_batch = GrooveBatch<Real>::capacity / 2;
+  static_assert(bounces_per_batch % 2 == 0, "a lane stays with one parity");
+
+  /// The same for all parities and first panels: a lane for each, in the order of a batch.
+  class LaneSeries {
+   public:
+    using Lanes = typename GrooveBatch<Real>::Lanes;
+
+    VCAVITY_INLINE LaneSeries(const Elevation& e, const Elevation& o) {
+      // Of an even number of bounces, panel one and panel two first; then of an odd one.
+      const std::array<Real, 4> from{e.angle, e.complement, e.angle, e.complement};
+      const std::array<Real, 4> from_other{e.complement, e.angle, e.complement, e.angle};
+      const std::array<Real, 4> to{o.complement, o.angle, o.angle, o.complement};
+      const std::array<Real, 4> to_other{o.angle, o.complement, o.complement, o.angle};
+      from_ = repeated(from);
+      const Lanes from_complement = repeated(from_other);
+      const Lanes to_angle = repeated(to), to_complement = repeated(to_other);
+      lower_ = at_most(from_, to_angle);
+      upper_ = larger(from_, to_angle);
+      lower_complement_ = larger(from_complement, to_complement);
+      upper_complement_ = at_most(from_complement, to_complement);
+      sum_ = lower_ + upper_;
+      // Where elevations are measured from the near horizon, they have more digits than from the far one.
+      const auto is_low = lower_complement_ > lower_;
+      const Lanes difference = select(is_low, upper_ - lower_, lower_complement_ - upper_complement_);
+      beta_ = Real(0.5) * (upper_complement_ - lower_);
+      const Lanes slowest = larger(difference - Real(2) * beta_, difference);
+      most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
+      beam_of_one_ = Real(2) * detail::acute_cosine(beta_);
+      nearer_ = select(is_low, lower_, -lower_complement_);
+      half_turns_before_ = select(is_low, Lanes(Real(1)), Lanes(Real(2)));
+    }
+
+    /// Ways of fewer bounces than this exist.
+    Real most_bounces() const { return largest(most_bounces_); }
+
+    /// @param least even
+    /// @param last ways of more bounces are left out
+    VCAVITY_INLINE GrooveBatch<Real> batch(int least, int last) const {
+      GrooveBatch<Real> batch;
+      batch.least_bounces = least;
+      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
+        batch.bounces[lane] = Real(batch.bounces_of(lane));
+      batch.elevation = from_;
+      const Lanes& bounces = batch.bounces;
+      const Lanes inverse = Lanes(Real(0.5)) / bounces;
+      const Lanes fewer = bounces - Lanes(Real(1));
+      batch.half_aperture = sum_ * inverse;
+      const Lanes x = ((bounces + Lanes(Real(1))) * lower_ - fewer * upper_) * inverse;
+      const Lanes x_plus_beta =
+          ((bounces + fewer) * upper_complement_ + nearer_ - pi<Real>() * (bounces - half_turns_before_)) *
+          inverse;
+      const auto is_one_lit = beta_ > x;
+      const Lanes angle = select(is_one_lit, x, x_plus_beta);
+      batch.cos_half = detail::acute_cosine(batch.half_aperture);
+      batch.sin_half = detail::acute_sine(batch.half_aperture);
+      const Lanes beam = select(is_one_lit, beam_of_one_, Lanes(Real(1))) * detail::acute_sine(angle);
+      const Lanes existing = select(most_bounces_ > bounces, at_least(beam, Real(0)), Lanes(Real(0)));
+      batch.beam = select(bounces > Real(last), Lanes(Real(0)), existing);
+      return batch;
+    }
+
+   private:
+    static Lanes repeated(const std::array<Real, 4>& values) {
+      Lanes result;
+      for (std::size_t lane = 0; lane < GrooveBatch<Real>::capacity; ++lane) result[lane] = values[lane % 4];
+      return result;
+    }
+
+    static Lanes larger(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
+
+    Lanes from_;
+    Lanes lower_, upper_;  // elevations above the near horizon
+    Lanes lower_complement_, upper_complement_;
+    Lanes nearer_;             // the lower elevation, from the near horizon or negative from the far one,
+    Lanes half_turns_before_;  // and the number of bounces at which that is x + β
+    Lanes sum_;                // jα
+    Lanes beta_;
+    Lanes beam_of_one_;  // 2 cos β
+    Lanes most_bounces_;
   };
 
   /// A direction in the frame of the grooves; its inverse height, and products of two of these, are finite.
@@ -235,8 +342,6 @@ class ConnectingGrooves {
   Real tilt_;         // |h|
   Real cos_eta_;
   Real inverse_sum_;  // 1/|e + o|
-  // Of odd numbers of bounces, panel one and panel two first; then of even ones.
-  std::array<Series, 4> series_;
 };
 
 }  // namespace vcavity

@@ -18,7 +18,9 @@
 #include <limits>
 #include <sstream>
 
+#include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
@@ -72,7 +74,10 @@ class EllipticSlopes {
   Real peak() const { return peak_; }
 
   /// q cos²θ_m
-  Real stretched(const Vec3<Real>& m) const { return m.x * m.x * inverse_x2_ + m.y * m.y * inverse_y2_; }
+  template <class Value>
+  Value stretched(const Vec3<Value>& m) const {
+    return inverse_x2_ * (m.x * m.x) + inverse_y2_ * (m.y * m.y);
+  }
 
   /// The unit vector of the slope `size`·(a_x cos φ, a_y sin φ)/`up`.
   Vec3<Real> normal(const Real& size, const Real& up, const Real& u_azimuth) const {
@@ -106,9 +111,14 @@ class GgxSlopes : public detail::EllipticSlopes<Real> {
 
   /// D(m), per steradian.
   /// @param m unit vector, m.z ≥ 0
-  Real density(const Vec3<Real>& m) const {
-    const Real spread = this->stretched(m) + m.z * m.z;
-    return this->peak() / (spread * spread);
+  Real density(const Vec3<Real>& m) const { return densities(m); }
+
+  /// The same of several normals at once.
+  /// @param m unit vectors, as numbers or packs, m.z ≥ 0
+  template <class Value>
+  VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
+    const Value spread = this->stretched(m) + m.z * m.z;
+    return Value(this->peak()) / (spread * spread);
   }
 
   /// A normal of the density D(m) cos θ_m.
@@ -135,11 +145,15 @@ class BeckmannSlopes : public detail::EllipticSlopes<Real> {
 
   /// D(m), per steradian.
   /// @param m unit vector, m.z ≥ 0
-  Real density(const Vec3<Real>& m) const {
-    using std::exp;
+  Real density(const Vec3<Real>& m) const { return densities(m); }
+
+  /// The same of several normals at once.
+  /// @param m unit vectors, as numbers or packs, m.z ≥ 0
+  template <class Value>
+  VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
     // Divided twice, because the fourth power of a small cosine vanishes.
-    const Real cosine2 = at_least(Real(m.z * m.z), std::numeric_limits<Real>::min());
-    return Real(exp(-this->stretched(m) / cosine2)) * this->peak() / cosine2 / cosine2;
+    const Value cosine2 = at_least(Value(m.z * m.z), std::numeric_limits<Real>::min());
+    return this->peak() * detail::exponential(Value(-this->stretched(m) / cosine2)) / cosine2 / cosine2;
   }
 
   /// A normal of the density D(m) cos θ_m.

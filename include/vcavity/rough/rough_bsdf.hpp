@@ -28,6 +28,8 @@
 /// light that leaves a patch meets no other.
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -38,6 +40,7 @@
 #include "vcavity/groove/narrow_groove.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/render/bsdf.hpp"
+#include "vcavity/rough/bounce_lanes.hpp"
 #include "vcavity/rough/connecting_grooves.hpp"
 #include "vcavity/rough/drawn_ray.hpp"
 #include "vcavity/rough/mean_axes.hpp"
@@ -149,8 +152,10 @@ class RoughGrooveBsdf {
     Real sum(0);
     if (!are_above_horizon(wo, wi)) return sum;
     const ConnectingGrooves<Real> grooves(wo, wi);
-    grooves.for_each(max_bounces_,
-                     [&](const ConnectingGroove<Real>& groove) { sum += density(grooves, groove); });
+    sum = density(grooves, grooves.first());
+    grooves.for_each_batch(max_bounces_, [&](const GrooveBatch<Real>& batch) {
+      for (const Real& white : densities(grooves, batch, sum)) sum += white;
+    });
     return sum + density_of_long_ways(grooves);
   }
 
@@ -162,11 +167,13 @@ class RoughGrooveBsdf {
     BsdfEvaluation<Real, Value> result{Value(0), Real(0)};
     if (!are_above_horizon(wo, wi)) return result;
     const ConnectingGrooves<Real> grooves(wo, wi);
-    grooves.for_each(max_bounces_, [&](const ConnectingGroove<Real>& groove) {
-      const Real white = density(grooves, groove);
-      if (!(white > Real(0))) return;
-      result.pdf += white;
-      result.value = result.value + term(grooves, groove, white);
+    const ConnectingGroove<Real> first = grooves.first();
+    result.pdf = density(grooves, first);
+    if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
+    grooves.for_each_batch(max_bounces_, [&](const GrooveBatch<Real>& batch) {
+      const auto white = densities(grooves, batch, result.pdf);
+      result.value = result.value + light(grooves, batch, white);
+      for (const Real& part : white) result.pdf += part;
     });
     const Real long_ways = density_of_long_ways(grooves);
     if (long_ways > Real(0)) {
@@ -228,6 +235,46 @@ class RoughGrooveBsdf {
 
   Real density(const ConnectingGrooves<Real>& grooves, const ConnectingGroove<Real>& groove) const {
     return grooves.density(groove, distribution_.density(grooves.normal(groove)));
+  }
+
+  using Lanes = typename GrooveBatch<Real>::Lanes;
+
+  /// The densities of a batch; 0 where there is no groove, or so little light that the sum does not change.
+  /// @param so_far what they are added to
+  VCAVITY_INLINE Lanes densities(const ConnectingGrooves<Real>& grooves, const GrooveBatch<Real>& batch,
+                                 const Real& so_far) const {
+    // ε² of the sum: even if all else is reflected by black facets and this by white ones, little is lost.
+    const Real epsilon = std::numeric_limits<Real>::epsilon();
+    const Lanes white = grooves.densities(batch, facet_densities(grooves, batch));
+    return select(white > Real(epsilon * epsilon * so_far), white, Lanes(Real(0)));
+  }
+
+  VCAVITY_INLINE Lanes facet_densities(const ConnectingGrooves<Real>& grooves,
+                                       const GrooveBatch<Real>& batch) const {
+    const Vec3<Lanes> normals = grooves.normals(batch);
+    if constexpr (requires { distribution_.densities(normals); }) {
+      return distribution_.densities(normals);
+    } else {
+      Lanes result(Real(0));
+      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
+        if (batch.beam[lane] > Real(0))
+          result[lane] = distribution_.density({normals.x[lane], normals.y[lane], normals.z[lane]});
+      return result;
+    }
+  }
+
+  /// The light that goes through a batch.
+  /// @param white the same for white facets
+  VCAVITY_INLINE Value light(const ConnectingGrooves<Real>& grooves, const GrooveBatch<Real>& batch,
+                             const Lanes& white) const {
+    if constexpr (ComponentsOverDirections<Facet, Real>) {
+      return BounceLanes<Real, Facet>(facet_).sum(grooves.cos_eta(), batch, white);
+    } else {
+      Value sum(0);
+      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
+        if (white[lane] > Real(0)) sum = sum + term(grooves, batch[lane], white[lane]);
+      return sum;
+    }
   }
 
   Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {
