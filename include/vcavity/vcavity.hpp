@@ -104,6 +104,7 @@
 #include "vcavity/rough/rough_bihemispherical.hpp"
 // plan/: what of all this a scene needs.
 #include "vcavity/plan/planner.hpp"
+#include "vcavity/plan/profile_planner.hpp"
 #include "vcavity/plan/rough_planner.hpp"
 #include "vcavity/numbers/restore_macros.hpp"
 // clang-format on

@@ -274,3 +274,74 @@ TEST_CASE("floors, slopes and lands that make no surface are refused") {
   CHECK_THROWS_AS(Land(Trench<double>(1.0), 1.0), std::invalid_argument);
   CHECK_THROWS_AS(Land(Trench<double>(1.0), -0.1), std::invalid_argument);
 }
+
+TEST_CASE("bi-hemispherical reflectance of floors takes no tolerance for more than rounding allows") {
+  const Conductor<double> silver(0.1249, 3.3391);
+  const TruncatedGroove<double> groove(radians(60.0), radians(70.0), 0.5);
+  const auto coarse = bihemispherical_reflectance(groove, silver, 1e-9);
+  const auto fine = bihemispherical_reflectance(groove, silver, 1e-15);
+  CHECK(std::abs(fine.value - coarse.value) <= coarse.error);
+  CHECK(fine.error < 1e-13);
+}
+
+TEST_CASE("light that needs too many bounces is left out of floors and land, in every function") {
+  Dice dice(431);
+  const FaceFacets facets{Conductor(0.1249, 3.3391), Conductor(1.5, 0.0), Conductor(2.5, 3.4),
+                          Conductor(0.2, 2.0)};
+  const auto check = [&](const auto& profile) {
+    for (int most = 1; most <= 8; ++most) {
+      const Vec3<double> e = dice.light();
+      double expected = 0;
+      std::size_t count = 0;
+      for (const auto& lobe : lobes(profile, e, facets)) {
+        if (lobe.path.bounces() > most) continue;
+        expected += lobe.weight * lobe.throughput;
+        ++count;
+      }
+      CHECK(lobes(profile, e, facets, most).size() == count);
+      CHECK(std::abs(directional_reflectance(profile, e, facets, most) - expected) < 1e-13);
+      CHECK(std::abs(unpolarized_reflectance(profile, e, facets, most) - expected) < 1e-13);
+    }
+  };
+  for (int trial = 0; trial < 50; ++trial) {
+    const double slope_one = radians(dice.between(20, 88)), slope_two = radians(dice.between(20, 88));
+    check(TruncatedGroove<double>(slope_one, slope_two, dice.between(0.01, 3)));
+    check(Land(Trench<double>(dice.between(0.2, 3)), 0.3));
+    check(Land(dice.groove(), 0.2));
+  }
+}
+
+TEST_CASE("diffuse reflectance by the number of bounces adds up to all of it over floors") {
+  const Conductor<double> silver(0.1249, 3.3391);
+  const auto mirror_of = [](const auto&) { return 1.0; };
+  const TruncatedGroove<double> groove(radians(60.0), radians(70.0), 0.5);
+  double mean_bounces = 0, last = 0;
+  for (int most = 1; most <= 5; ++most) {
+    const double flux = bihemispherical_reflectance(groove, mirror_of, 1e-10, most).value;
+    mean_bounces += most * (flux - last);
+    last = flux;
+  }
+  CHECK(std::abs(last - 1) < 1e-10);
+  CHECK(std::abs(mean_bounces - groove.developed_area()) < 1e-9);
+  CHECK(bihemispherical_reflectance(groove, silver, 1e-9, 2).value <
+        bihemispherical_reflectance(groove, silver, 1e-9, 3).value);
+}
+
+TEST_CASE("land lies between symmetric grooves of two materials as between others") {
+  const FaceFacets facets{Conductor(0.1249, 3.3391), Conductor(1.5, 0.0), Conductor(0.1249, 3.3391),
+                          Conductor(1.5, 0.0)};
+  const Land symmetric(Cavity<double>(1.0), 0.2);
+  const Land general(AsymmetricGroove<double>(1.0, 0.0), 0.2);
+  CHECK(std::abs(bihemispherical_reflectance(symmetric, facets, 1e-10).value -
+                 bihemispherical_reflectance(general, facets, 1e-10).value) < 1e-10);
+}
+
+TEST_CASE("two materials meet in the middle of a plane") {
+  const Conductor<double> silver(0.1249, 3.3391), glass(1.5, 0.0);
+  const Cavity<double> plane(pi<double>());
+  const double silver_alone = bihemispherical_reflectance(plane, silver, 1e-12).value;
+  const double glass_alone = bihemispherical_reflectance(plane, glass, 1e-12).value;
+  const auto both =
+      bihemispherical_reflectance(Land(plane, 0.2), FaceFacets{silver, glass, silver, glass}, 1e-12);
+  CHECK(std::abs(both.value - (0.4 * silver_alone + 0.6 * glass_alone)) < 1e-12);
+}

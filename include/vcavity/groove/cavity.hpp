@@ -88,6 +88,9 @@ class Cavity {
   /// 1/sin(α/2)
   Real inverse_sin_half() const { return inverse_sin_half_; }
 
+  /// The area of the panels per area of the opening; under diffuse light the mean number of bounces.
+  Real developed_area() const { return inverse_sin_half_; }
+
   /// The least e.z of a direction, so small that it changes no result, and so large that inverses are finite.
   /// Smaller ones count as this one; so light along the groove, e.y = e.z = 0, comes from straight above as far
   /// as the plane across the groove is concerned (θ' = 0).

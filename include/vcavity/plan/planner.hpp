@@ -92,7 +92,8 @@ struct TriedWay {
   }
 };
 
-/// Facet reflectance for `TriedWay`.
+/// Facet reflectance for `TriedWay`. As s counts the larger reflectance, whichever polarisation it belongs to: under
+/// films that may be p, and of one bounce to the next the other one.
 template <FieldReflector<double> Facet>
 class TriedFacet {
  public:
@@ -100,7 +101,7 @@ class TriedFacet {
   TriedWay operator()(double cos_theta_i) const {
     const auto amplitudes = facet_.amplitudes(cos_theta_i);
     const double s = norm(amplitudes.r_s), p = norm(amplitudes.r_p);
-    return {1, s, p, 0.5 * (s + p)};
+    return {1, at_least(s, p), at_most(s, p), 0.5 * (s + p)};
   }
   double critical_cosine() const { return critical_cosine_of<double>(facet_); }
   auto singular_cosines() const
@@ -114,10 +115,10 @@ class TriedFacet {
 };
 
 /// Angles θ' for a search: the kinks of the weights, where these have their extremes, and some between them.
-inline std::vector<double> angles_across(const Cavity<double>& cavity) {
+/// @param ends the kinks, ascending, with both ends of the range
+inline std::vector<double> angles_across(const std::vector<double>& ends) {
   constexpr double step = 0.015;
   constexpr std::size_t most_kinks = 256;
-  const std::vector<double> ends = kinks(cavity);
   const std::size_t stride = 1 + ends.size() / most_kinks;
   std::vector<double> angles{ends.back()};
   for (std::size_t i = 0; i + 1 < ends.size(); i += stride) {
@@ -130,20 +131,22 @@ inline std::vector<double> angles_across(const Cavity<double>& cavity) {
 
 /// The largest errors over the directions of a grid, enlarged by a fifth for what lies between its points.
 /// Towards grazing reflectances change with the logarithm of cos ψ, and so does the grid.
-template <class Facet>
-Omissions worst_omissions(const Cavity<double>& cavity, const Facet& facet) {
+/// @param groove or another shape with a directional reflectance
+/// @param tried its facets, each a `TriedFacet`
+/// @param angles θ' of the grid
+template <class Groove, class Facets>
+Omissions worst_omissions(const Groove& groove, const Facets& tried, const std::vector<double>& angles) {
   constexpr int steps_along = 96;
   constexpr int steps_grazing = 48;
   constexpr double margin = 1.2;
-  const TriedFacet<Facet> tried(facet);
   const double half_pi = pi<double>() / 2;
   Omissions worst(0.0);
   const auto try_direction = [&](double theta, double sin_psi, double cos_psi) {
     const Vec3<double> e{sin_psi, cos_psi * std::sin(theta), cos_psi * std::cos(theta)};
-    const Omissions here = margin * directional_reflectance(cavity, e, tried);
+    const Omissions here = margin * directional_reflectance(groove, e, tried);
     worst = select(worst >= here, worst, here);
   };
-  for (const double theta : angles_across(cavity)) {
+  for (const double theta : angles) {
     for (int j = 0; j < steps_along; ++j) {
       const double psi = static_cast<double>(j) / steps_along * half_pi;
       try_direction(theta, std::sin(psi), std::cos(psi));
@@ -163,13 +166,13 @@ Omissions mean_omissions(const Cavity<double>& cavity, const Facet& facet, doubl
   return errors.value + Omissions(errors.error);
 }
 
-/// Bound on the rounding error of a reflectance in arithmetic of a given ε.
+/// Bound on the rounding error of the reflectance at one bounce in arithmetic of a given ε.
 ///
 /// With m the contrast, w² = m + c² and c² + |w|² ≥ |m|: a change of c alone moves r_s by at most 2/√|m|
 /// times as much, one of w² alone by 1/(2|w|²) times as much, and r_p at most √(1 + |m|) times further, which
 /// it does towards grazing on strong metals. Where w passes 0, at a critical angle, w itself is uncertain by
 /// √ε.
-inline double rounding_bound(const Cavity<double>& cavity, const Complex<double>& contrast, double epsilon) {
+inline double rounding_per_bounce(const Complex<double>& contrast, double epsilon) {
   const double modulus = std::sqrt(norm(contrast));
   if (modulus == 0) return 0;  // nothing is reflected, whatever the arithmetic
   // The smallest |w²| over all cosines c.
@@ -179,7 +182,7 @@ inline double rounding_bound(const Cavity<double>& cavity, const Complex<double>
   const double smooth = epsilon * (1 + 2 * std::sqrt(1 + modulus) + 4 / std::sqrt(modulus));
   const double critical =
       at_most(epsilon * (1 + modulus) / smallest_w2, 2 * std::sqrt(epsilon * (1 + modulus) / modulus));
-  return at_most(few * cavity.max_bounces() * (smooth + critical), 1.0);
+  return few * (smooth + critical);
 }
 
 /// Bound on the part of diffuse light that the facets of a strong mirror absorb in all bounces together, and so on any
@@ -197,7 +200,7 @@ inline double mirror_bound(const Cavity<double>& cavity, const Complex<double>& 
 /// The bound on rounding for a facet without such a formula, measured: the largest difference of its amplitudes to those
 /// in long double, on a grid of cosines that is finest at grazing and around the critical angle.
 template <class Real, class Facet>
-double measured_rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
+double measured_rounding_per_bounce(const Facet& facet) {
   constexpr int steps = 1024;
   constexpr double few = 4;  // what the grid may have missed
   const auto rounded = facet.template in<Real>();
@@ -222,7 +225,53 @@ double measured_rounding_bound(const Cavity<double>& cavity, const Facet& facet)
   for (int i = -16; i <= 16; ++i) measure(at_most(critical * (1 + i * epsilon), 1.0));
   // A cosine itself carries some ε, and that of a power is twice that of its amplitude.
   const double of_cosine = epsilon + std::sqrt(largest);
-  return at_most(few * 2 * cavity.max_bounces() * of_cosine, 1.0);
+  return few * 2 * of_cosine;
+}
+
+/// The bound for any facet.
+template <class Real, class Facet>
+double rounding_per_bounce(const Facet& facet) {
+  if constexpr (ContrastingFacet<Facet>)
+    return rounding_per_bounce(as_complex(facet.contrast()),
+                               static_cast<double>(std::numeric_limits<Real>::epsilon()));
+  else
+    return measured_rounding_per_bounce<Real>(facet);
+}
+
+/// An equal share of a tolerance for each source of error.
+/// @throws std::invalid_argument when the tolerance is not a positive number
+inline double share_of(double tolerance, Illumination illumination) {
+  if (!(tolerance > 0)) {
+    std::ostringstream message;
+    message << "the tolerance of a plan must be positive, not " << tolerance;
+    throw_invalid_argument(message.str());
+  }
+  return tolerance / (illumination == Illumination::diffuse ? 4 : 3);
+}
+
+/// The cheapest plan of which no error exceeds its share.
+/// @param errors of leaving out
+/// @param reachable the largest number of bounces of any light
+/// @param rounding bound in a number type: rounding(Real())
+template <class Rounding>
+EffectsPlan plan_within(double share, Illumination illumination, const Omissions& errors, int reachable,
+                        const Rounding& rounding) {
+  const bool diffuse = illumination == Illumination::diffuse;
+  EffectsPlan plan{true, all_bounces, false, {0, 0, 0, diffuse ? share : 0}};
+  if (const double error = errors[longest_cutoff]; error <= share) {
+    plan.polarization = false;
+    plan.bounds.polarization = error;
+  }
+  for (std::size_t most = 1; most <= longest_cutoff && most < static_cast<std::size_t>(reachable); ++most) {
+    if (errors[most - 1] > share) continue;
+    plan.max_bounces = static_cast<int>(most);
+    plan.bounds.bounces = errors[most - 1];
+    break;
+  }
+  plan.bounds.rounding = rounding(float());
+  plan.single_precision = plan.bounds.rounding <= share;
+  if (!plan.single_precision) plan.bounds.rounding = rounding(double());
+  return plan;
 }
 
 }  // namespace detail
@@ -236,11 +285,7 @@ double measured_rounding_bound(const Cavity<double>& cavity, const Facet& facet)
 /// @return at most 1; for double some 1e-14, but up to 1e-4 where there is a critical angle
 template <class Real, class Facet>
 double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
-  if constexpr (requires { facet.contrast(); })
-    return detail::rounding_bound(cavity, detail::as_complex(facet.contrast()),
-                                  static_cast<double>(std::numeric_limits<Real>::epsilon()));
-  else
-    return detail::measured_rounding_bound<Real>(cavity, facet);
+  return at_most(cavity.max_bounces() * detail::rounding_per_bounce<Real>(facet), 1.0);
 }
 
 /// The cheapest plan for a groove of one facet material.
@@ -258,30 +303,14 @@ double rounding_bound(const Cavity<double>& cavity, const Facet& facet) {
 template <FieldReflector<double> Facet>
 EffectsPlan plan_effects(const Cavity<double>& cavity, const Facet& facet, double tolerance,
                          Illumination illumination) {
-  if (!(tolerance > 0)) {
-    std::ostringstream message;
-    message << "the tolerance of a plan must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
-  }
   const bool diffuse = illumination == Illumination::diffuse;
-  const double share = tolerance / (diffuse ? 4 : 3);
-  const detail::Omissions errors =
-      diffuse ? detail::mean_omissions(cavity, facet, share / 8) : detail::worst_omissions(cavity, facet);
-  EffectsPlan plan{true, all_bounces, false, {0, 0, 0, diffuse ? share : 0}};
-  if (const double error = errors[detail::longest_cutoff]; error <= share) {
-    plan.polarization = false;
-    plan.bounds.polarization = error;
-  }
-  const auto reachable = static_cast<std::size_t>(cavity.max_bounces());
-  for (std::size_t most = 1; most <= detail::longest_cutoff && most < reachable; ++most) {
-    if (errors[most - 1] > share) continue;
-    plan.max_bounces = static_cast<int>(most);
-    plan.bounds.bounces = errors[most - 1];
-    break;
-  }
-  plan.bounds.rounding = rounding_bound<float>(cavity, facet);
-  plan.single_precision = plan.bounds.rounding <= share;
-  if (!plan.single_precision) plan.bounds.rounding = rounding_bound<double>(cavity, facet);
+  const double share = detail::share_of(tolerance, illumination);
+  const detail::Omissions errors = diffuse ? detail::mean_omissions(cavity, facet, share / 8)
+                                           : detail::worst_omissions(cavity, detail::TriedFacet<Facet>(facet),
+                                                                     detail::angles_across(kinks(cavity)));
+  EffectsPlan plan =
+      detail::plan_within(share, illumination, errors, cavity.max_bounces(),
+                          [&]<class Real>(Real) { return rounding_bound<Real>(cavity, facet); });
   if constexpr (ContrastingFacet<Facet>)
     if (diffuse && !plan.single_precision)
       plan.bounds.rounding =

@@ -7,10 +7,14 @@
 /// (smooth_ranges.hpp), and the quadrature is adaptive (adaptive_hemisphere.hpp): reckon with 10⁵ to 10⁶ evaluations of
 /// the facet for 1e-9.
 
+#include <concepts>
+#include <limits>
 #include <sstream>
 #include <type_traits>
 #include <vector>
 
+#include "vcavity/facet/panel_facets.hpp"
+#include "vcavity/groove/asymmetric_groove.hpp"
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/hemisphere/adaptive_hemisphere.hpp"
 #include "vcavity/hemisphere/asymmetric_bihemispherical.hpp"
@@ -40,18 +44,42 @@ struct CriticalElevations {
   std::vector<Real>* elevations;
 };
 
+/// Bi-hemispherical reflectance of grooves with panels of their own materials. A symmetric one counts as one of no tilt,
+/// for its own function takes it that light finds both panels alike.
+template <class Groove, class One, class Two, class Scalar>
+auto reflectance_of_panels(const Groove& groove, const PanelFacets<One, Two>& facets, const Scalar& tolerance,
+                           int max_bounces) {
+  using Real = scalar_t<Groove>;
+  if constexpr (!std::same_as<Groove, Cavity<Real>>) {
+    return bihemispherical_reflectance(groove, facets, tolerance, max_bounces);
+  } else {
+    // A plane, half of it of either material.
+    if (!(pi<Real>() - groove.aperture() > Real(16) * std::numeric_limits<Real>::epsilon())) {
+      const auto one = bihemispherical_reflectance(groove, facets.one, tolerance, max_bounces);
+      const auto two = bihemispherical_reflectance(groove, facets.two, tolerance, max_bounces);
+      using Result = std::remove_const_t<decltype(one)>;
+      return Result{Scalar(0.5) * (one.value + two.value), (one.error + two.error) / Scalar(2),
+                    one.evaluations + two.evaluations};
+    }
+    const AsymmetricGroove<Real> untilted(groove.aperture(), Real(0));
+    return bihemispherical_reflectance(untilted, facets, tolerance, max_bounces);
+  }
+}
+
 }  // namespace detail
 
 /// Bi-hemispherical reflectance of a profile with a floor.
 /// @param profile the profile
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @param tolerance absolute error to aim at, > 0; the error estimate is larger where it cannot be reached
+/// @param max_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
 /// @return the reflectance of unpolarised light
 template <Profile Shape, class Facets>
 auto bihemispherical_reflectance(
     const Shape& profile, const Facets& facets,
-    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, typename Shape::value_type>>& tolerance) {
+    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, typename Shape::value_type>>& tolerance,
+    int max_bounces = all_bounces) {
   using Real = typename Shape::value_type;
   using Value = unpolarized_t<detail::any_facet_t<Facets>, Real>;
   using Scalar = scalar_t<Value>;
@@ -64,12 +92,14 @@ auto bihemispherical_reflectance(
   const auto counted = detail::each_facet(facets, [&](const auto& facet) {
     return CountedFacet<std::remove_cvref_t<decltype(facet)>>(facet, evaluations);
   });
-  const auto reflectance = [&](const Vec3<Real>& e) { return unpolarized_reflectance(profile, e, counted); };
+  const auto reflectance = [&](const Vec3<Real>& e) {
+    return unpolarized_reflectance(profile, e, counted, max_bounces);
+  };
   const auto cuts = [&](const Vec3<Real>& e, std::vector<Real>& elevations) {
     const auto noting = detail::each_facet(facets, [&](const auto& facet) {
       return detail::CriticalElevations<Real>{critical_cosine_of<Real>(facet), &elevations};
     });
-    profile.follow(e, noting, [](const FacePencil<Real>&, const Real&) {});
+    profile.follow(e, noting, [](const FacePencil<Real>&, const Real&) {}, max_bounces);
   };
   const auto ranges = detail::smooth_ranges(profile, static_cast<Real>(tolerance));
   detail::AdaptiveHemisphere<Real, Value, decltype(reflectance), decltype(cuts)> quadrature(reflectance, cuts,
@@ -84,12 +114,14 @@ auto bihemispherical_reflectance(
 /// @param profile the profile
 /// @param facets one facet reflectance, or `FaceFacets`
 /// @param tolerance absolute error to aim at, > 0
+/// @param max_bounces light that needs more bounces is left out
 /// @throws std::invalid_argument when the tolerance is not a positive number
 /// @return the reflectance of unpolarised light
 template <class Groove, class Facets>
 auto bihemispherical_reflectance(
     const Land<Groove>& profile, const Facets& facets,
-    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, scalar_t<Groove>>>& tolerance) {
+    const scalar_t<unpolarized_t<detail::any_facet_t<Facets>, scalar_t<Groove>>>& tolerance,
+    int max_bounces = all_bounces) {
   using Real = scalar_t<Groove>;
   using Value = unpolarized_t<detail::any_facet_t<Facets>, Real>;
   using Scalar = scalar_t<Value>;
@@ -97,20 +129,21 @@ auto bihemispherical_reflectance(
     if (!(profile.fraction() > Real(0))) return grooves;
     Integral<Value> flat;
     if constexpr (detail::is_face_facets<Facets>)
-      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets.land, tolerance);
+      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets.land, tolerance, max_bounces);
     else
-      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets, tolerance);
+      flat = bihemispherical_reflectance(Cavity<Real>(pi<Real>()), facets, tolerance, max_bounces);
     const Scalar land = static_cast<Scalar>(profile.fraction());
     const Scalar rest = Scalar(1) - land;
     return Integral<Value>{rest * grooves.value + land * flat.value, rest * grooves.error + land * flat.error,
                            grooves.evaluations + flat.evaluations};
   };
   if constexpr (Profile<Groove>)
-    return sum(bihemispherical_reflectance(profile.groove(), facets, tolerance));
+    return sum(bihemispherical_reflectance(profile.groove(), facets, tolerance, max_bounces));
+  else if constexpr (detail::is_face_facets<Facets>)
+    return sum(detail::reflectance_of_panels(profile.groove(), PanelFacets{facets.one, facets.two}, tolerance,
+                                             max_bounces));
   else
-    return detail::with_walls(facets, [&](const auto& walls) {
-      return sum(bihemispherical_reflectance(profile.groove(), walls, tolerance));
-    });
+    return sum(bihemispherical_reflectance(profile.groove(), facets, tolerance, max_bounces));
 }
 
 }  // namespace vcavity

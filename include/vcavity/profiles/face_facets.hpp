@@ -11,6 +11,7 @@
 
 #include "vcavity/facet/energy_balance.hpp"
 #include "vcavity/facet/facet.hpp"
+#include "vcavity/facet/panel_facets.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/polarization/absorbed_fields.hpp"
 #include "vcavity/polarization/polarization.hpp"
@@ -97,6 +98,11 @@ auto each_facet(const Facets& facets, Change&& change) {
     return FaceFacets{change(facets.one), change(facets.two), change(facets.floor), change(facets.land)};
   else
     return change(facets);
+}
+
+template <class One, class Two, class Change>
+auto each_facet(const PanelFacets<One, Two>& facets, Change&& change) {
+  return PanelFacets{change(facets.one), change(facets.two)};
 }
 
 }  // namespace detail

@@ -43,21 +43,34 @@ class Land {
   /// Width of a land as a fraction of the period.
   const value_type& fraction() const { return fraction_; }
 
+  /// No ray bounces more often.
+  int max_bounces() const { return groove_.max_bounces(); }
+
+  /// The area of all faces per area of the period, under diffuse light the mean number of bounces.
+  value_type developed_area() const {
+    return (value_type(1) - fraction_) * groove_.developed_area() + fraction_;
+  }
+
   /// Follows all light of a direction; see `Profile`.
   /// @param e direction towards the light, e.z ≥ 0
   /// @param facets facet reflectances of the faces, or one for all
   /// @param visit called for each part of the light
+  /// @param max_bounces light that needs more bounces is left out
   template <class Facets, class Visit>
-  void follow(const Vec3<value_type>& e, const Facets& facets, Visit&& visit) const {
+  void follow(const Vec3<value_type>& e, const Facets& facets, Visit&& visit,
+              int max_bounces = all_bounces) const {
     using Value = face_value_t<Facets, value_type>;
     assert(e.z >= value_type(0));
     const value_type rest = value_type(1) - fraction_;
     if constexpr (Profile<Groove>) {
-      groove_.follow(e, facets, [&](FacePencil<value_type> light, const Value& throughput) {
-        light.start = rest * light.start;
-        light.weight = rest * light.weight;
-        visit(light, throughput);
-      });
+      groove_.follow(
+          e, facets,
+          [&](FacePencil<value_type> light, const Value& throughput) {
+            light.start = rest * light.start;
+            light.weight = rest * light.weight;
+            visit(light, throughput);
+          },
+          max_bounces);
     } else {
       detail::with_walls(facets, [&](const auto& walls) {
         value_type from_one(0), from_two(0);  // the light that enters nearer to the rims
@@ -75,10 +88,11 @@ class Land {
                                            rest * weight,
                                            exit_direction(groove_, last)},
                     throughput);
-            });
+            },
+            {.max_bounces = max_bounces});
       });
     }
-    if (!(fraction_ > value_type(0))) return;
+    if (!(fraction_ > value_type(0)) || max_bounces < 1) return;
     const Bounce<value_type> bounce{e.z, -e.y, e.x, Panel::one, 1};
     visit(
         FacePencil<value_type>{

@@ -23,7 +23,7 @@ namespace vcavity {
 
 /// A surface that follows light: `profile.follow(e, facets, visit)` calls visit(pencil, throughput) with every
 /// `FacePencil` of the light of the direction e, and the product of the facet reflectances along its way; the weights add
-/// up to 1.
+/// up to 1. A fourth argument is the number of bounces beyond which light is left out.
 template <class Shape>
 concept Profile = Shape::is_profile;
 
@@ -48,16 +48,21 @@ struct ProfileLobe {
 /// @param profile the profile
 /// @param e direction towards the light, e.z ≥ 0
 /// @param facets one facet reflectance, or `FaceFacets`
+/// @param max_bounces lobes of more bounces are left out
 /// @return lobes whose weights add up to 1 but for rounding; none is the rounding error of another
 template <Profile Shape, class Facets>
-auto lobes(const Shape& profile, const Vec3<typename Shape::value_type>& e, const Facets& facets) {
+auto lobes(const Shape& profile, const Vec3<typename Shape::value_type>& e, const Facets& facets,
+           int max_bounces = all_bounces) {
   using Real = typename Shape::value_type;
   using Value = face_value_t<Facets, Real>;
   std::vector<ProfileLobe<Real, Value>> result;
-  profile.follow(e, facets, [&](const FacePencil<Real>& light, const Value& throughput) {
-    if (light.weight > negligible_fraction<Real>())
-      result.push_back({light.path, light.weight, throughput, light.direction});
-  });
+  profile.follow(
+      e, facets,
+      [&](const FacePencil<Real>& light, const Value& throughput) {
+        if (light.weight > negligible_fraction<Real>())
+          result.push_back({light.path, light.weight, throughput, light.direction});
+      },
+      max_bounces);
   return result;
 }
 
@@ -65,29 +70,36 @@ auto lobes(const Shape& profile, const Vec3<typename Shape::value_type>& e, cons
 /// @param profile the profile
 /// @param e direction towards the light, or towards the viewer under diffuse light; e.z ≥ 0
 /// @param facets one facet reflectance, or `FaceFacets`
+/// @param max_bounces light that needs more bounces is left out
 /// @return a value of the facets' type, or what its `power` makes of it
 template <Profile Shape, class Facets>
 auto directional_reflectance(const Shape& profile, const Vec3<typename Shape::value_type>& e,
-                             const Facets& facets) {
+                             const Facets& facets, int max_bounces = all_bounces) {
   using Real = typename Shape::value_type;
   using Value = face_value_t<Facets, Real>;
   face_power_t<Facets, Real> sum(0);
-  profile.follow(e, facets, [&](const FacePencil<Real>& light, const Value& throughput) {
-    sum = sum + scaled(light.weight, power(throughput));
-  });
+  profile.follow(
+      e, facets,
+      [&](const FacePencil<Real>& light, const Value& throughput) {
+        sum = sum + scaled(light.weight, power(throughput));
+      },
+      max_bounces);
   return sum;
 }
 
 /// Directional reflectance of unpolarised light in any model of polarisation; parameters as above.
 template <Profile Shape, class Facets>
 auto unpolarized_reflectance(const Shape& profile, const Vec3<typename Shape::value_type>& e,
-                             const Facets& facets) {
+                             const Facets& facets, int max_bounces = all_bounces) {
   using Real = typename Shape::value_type;
   using Value = face_value_t<Facets, Real>;
   unpolarized_t<detail::any_facet_t<Facets>, Real> sum(0);
-  profile.follow(e, facets, [&](const FacePencil<Real>& light, const Value& throughput) {
-    sum = sum + scaled(light.weight, unpolarized(power(throughput)));
-  });
+  profile.follow(
+      e, facets,
+      [&](const FacePencil<Real>& light, const Value& throughput) {
+        sum = sum + scaled(light.weight, unpolarized(power(throughput)));
+      },
+      max_bounces);
   return sum;
 }
 

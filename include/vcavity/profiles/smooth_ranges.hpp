@@ -97,7 +97,9 @@ class KinkSearch {
     // Much less than what is asked for, as there are many kinks.
     const Real negligible = tolerance_ / Real(10000);
     const bool smooth = !(bend(low, middle, high) > rounding());
-    if (!smooth && bend(low, middle, high) * half > negligible && samples_ < most_samples) {
+    // Angles next to each other have nothing between them.
+    const bool divisible = half > Real(4) * std::numeric_limits<Real>::epsilon();
+    if (!smooth && divisible && bend(low, middle, high) * half > negligible && samples_ < most_samples) {
       divide(low, middle);
       divide(middle, high);
       return;

@@ -49,6 +49,9 @@ class Trench {
   /// The area of all faces per area of the opening, under diffuse light the mean number of bounces.
   Real developed_area() const { return Real(1) + Real(2) / floor_over_depth_; }
 
+  /// No ray bounces more often.
+  static constexpr int max_bounces() { return most_walls + 2; }
+
   /// Follows all light of a direction; see `Profile`.
   ///
   /// Grazing light counts as if it met no more than 2³⁰ walls. As all bounces on a wall are alike, many take no longer
@@ -56,13 +59,14 @@ class Trench {
   /// @param e direction towards the light, e.z ≥ 0
   /// @param facets facet reflectances of the faces, or one for all
   /// @param visit called for each part of the light
+  /// @param max_bounces light that needs more bounces is left out
   template <class Facets, class Visit>
-  void follow(const Vec3<Real>& e, const Facets& facets, Visit&& visit) const {
+  void follow(const Vec3<Real>& e, const Facets& facets, Visit&& visit, int max_bounces = all_bounces) const {
     using std::floor;
     using Value = face_value_t<Facets, Real>;
     assert(e.z >= Real(0));
     const Real sideways = magnitude(e.y);
-    const Real most(1 << 30);
+    const Real most(most_walls);
     // X, without a division that might overflow
     const Real way = Real(2) * sideways < most * floor_over_depth_ * e.z
                          ? Real(Real(2) * sideways / (floor_over_depth_ * e.z))
@@ -84,6 +88,7 @@ class Trench {
       const int all_walls = static_cast<int>(in_all) + (ends[i] >= more_in_all ? 1 : 0);
       FacePath path{facing, walls, true, walls % 2 == 0 ? facing : opposite(facing), all_walls - walls,
                     false};
+      if (path.bounces() > max_bounces) continue;
       // Every wall turns the light round.
       const Bounce<Real> on_floor{e.z, walls % 2 == 0 ? Real(-e.y) : e.y, e.x, Panel::one, walls + 1};
       Value throughput = detail::reflect_at(facets, Face::floor, on_floor);
@@ -98,6 +103,8 @@ class Trench {
   }
 
  private:
+  static constexpr int most_walls = 1 << 30;
+
   /// The product over walls met in turn.
   /// @param count their number, > 0
   template <class Value, class Facets>

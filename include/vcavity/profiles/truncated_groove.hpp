@@ -76,17 +76,25 @@ class TruncatedGroove {
     return (lengths_[0] + lengths_[1]) * (Real(1) - floor_over_opening_) / opening_ + floor_over_opening_;
   }
 
+  /// No ray bounces more often: on its way down it turns by less than π, and so it does on its way up.
+  int max_bounces() const {
+    constexpr int most_turns = (std::numeric_limits<int>::max() - 3) / 2;
+    return 2 * (whole_at_most(Real(pi<Real>() / aperture_), most_turns) + 1) + 1;
+  }
+
   /// Follows all light of a direction; see `Profile`.
   /// @param towards_light direction towards the light, z ≥ 0
   /// @param facets facet reflectances of the faces, or one for all
   /// @param visit called for each part of the light
+  /// @param max_bounces light that needs more bounces is left out
   template <class Facets, class Visit>
-  void follow(const Vec3<Real>& towards_light, const Facets& facets, Visit&& visit) const {
+  void follow(const Vec3<Real>& towards_light, const Facets& facets, Visit&& visit,
+              int max_bounces = all_bounces) const {
     assert(towards_light.z >= Real(0));
     const Real least_up = smallest_divisor<Real>() / at_most(opening_, Real(1));
     const Vec3<Real> e{towards_light.x, towards_light.y, at_least(towards_light.z, least_up)};
     for (const Panel first : {Panel::one, Panel::two}) {
-      Descent<Facets, Visit> descent(*this, e, first, facets, visit);
+      Descent<Facets, Visit> descent(*this, e, first, facets, visit, max_bounces);
       descent.follow();
     }
   }
@@ -114,8 +122,13 @@ class TruncatedGroove {
     using Value = face_value_t<Facets, Real>;
 
     Descent(const TruncatedGroove& groove, const Vec3<Real>& e, Panel first, const Facets& facets,
-            Visit& visit)
-        : groove_(groove), along_(e.x), first_(first), facets_(facets), visit_(visit) {
+            Visit& visit, int max_bounces)
+        : groove_(groove),
+          along_(e.x),
+          first_(first),
+          facets_(facets),
+          visit_(visit),
+          max_bounces_(max_bounces) {
       using std::atan2;
       using std::sqrt;
       const Real size = at_least(magnitude(e.y), e.z);
@@ -139,7 +152,7 @@ class TruncatedGroove {
       if (!(phi_1_ > Real(0))) return;
       Interval rest{std::max(inside, foot_beyond_base(1)), rim_beyond_base(1)};
       Value throughput(1);
-      for (int j = 1; !rest.empty(); ++j) {
+      for (int j = 1; !rest.empty() && j <= max_bounces_; ++j) {
         const Bounce<Real> bounce = on_wall(wall(j), phi(j), j);
         throughput = j == 1 ? at(face_of(wall(1)), bounce) : throughput * at(face_of(wall(j)), bounce);
         Real next_rim = rest.low, next_foot = rest.low;
@@ -220,7 +233,7 @@ class TruncatedGroove {
     void from_floor(int j, const Value& throughput, Interval rays) {
       using std::cos;
       using std::sin;
-      if (rays.empty()) return;
+      if (rays.empty() || j >= max_bounces_) return;
       // The direction of the light as the floor finds it, from +y.
       const bool turned = j % 2 != 0;
       const Real omega = turned ? Real(pi<Real>() - groove_.slope(first_) + phi(j))
@@ -258,7 +271,7 @@ class TruncatedGroove {
         const Interval leaves{std::max(rays.low, end), rays.high};
         if (!leaves.empty()) visit_(pencil(path, mirrored ? leaves.mirrored() : leaves, direction), light);
         rays.high = std::min(rays.high, end);
-        if (rays.empty()) return;
+        if (rays.empty() || j + k >= max_bounces_) return;
         Bounce<Real> bounce = on_wall(panel, angle, j + 1 + k);
         bounce.tangent = -bounce.tangent;  // the light climbs
         light = light * at(face_of(panel), bounce);
@@ -272,6 +285,7 @@ class TruncatedGroove {
     Panel first_;
     const Facets& facets_;
     Visit& visit_;
+    int max_bounces_;
     Real across_;  // r
     Real width_;   // of the light that enters the full V
     Real theta_;   // θ', or −θ' where panel two is met first
