@@ -50,6 +50,11 @@ MATERIALS = {
     "Si": pages("main/Si/nk", "Green-2008", "Aspnes", "Schinke"),
     "C": pages("main/C/nk", "Phillip", "Peter"),
     "H2O": pages("main/H2O/nk", "Hale", "Daimon-20.0C"),
+    "Al2O3": pages("main/Al2O3/nk", "Boidin", "Malitson-o"),
+    "Fe3O4": pages("main/Fe3O4/nk", "Querry"),
+    "ITO": pages("other/mixed crystals/In2O3-SnO2/nk", "Konig"),
+    "MgF2": pages("main/MgF2/nk", "Dodge-o"),
+    "Si3N4": pages("main/Si3N4/nk", "Philipp"),
     "SiO2": pages("main/SiO2/nk", "Malitson", "Arosa"),
     "TiO2": pages("main/TiO2/nk", "Zhukovsky", "Devore-o", "Siefke"),
     "PMMA": pages("organic/(C5H8O2)n - poly(methyl methacrylate)/nk", "Zhang-Tomson", "Beadie", "Szczurowski", "Sultanova")
@@ -61,7 +66,8 @@ MATERIALS = {
 SOURCE_NAMES = {"specs/schott/optical/N-BK7": "Schott", "other/resists/Microchem 950/nk/specs": "Microchem"}
 
 # Everyday names beside the chemical ones.
-SYNONYMS = {"brass": "CuZn", "diamond": "C", "fused-silica": "SiO2", "water": "H2O"}
+SYNONYMS = {"brass": "CuZn", "diamond": "C", "fused-silica": "SiO2", "magnetite": "Fe3O4", "sapphire": "Al2O3-Malitson-o",
+            "water": "H2O"}
 
 
 def file_name(material, page):
@@ -109,7 +115,7 @@ def main():
                         f"{min(high for _, high in spans):g} | CC0 1.0 | {citation} |")
 
     for synonym, material in SYNONYMS.items():
-        defaults[synonym] = defaults[material]
+        defaults[synonym] = defaults.get(material, material)
 
     for leftover in DESTINATION.glob("*.yml"):
         if leftover.name not in written:

@@ -146,6 +146,13 @@ TEST_CASE("several directions, positions, apertures and wavelengths give a row f
       "material,aperture_deg,theta_deg,phi_deg,wavelength_nm,n,k,polarization,reflectance,"));
 }
 
+TEST_CASE("the values of a range have the digits that one would write") {
+  const auto rows = result_of("direction --material Ag --aperture 45 --theta 0.1:0.5:0.2 --phi 0")["rows"];
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1]["theta_deg"] == 0.3);
+  CHECK(rows[2]["theta_deg"] == 0.5);
+}
+
 TEST_CASE("a mirror has no BRDF") {
   const Outcome outcome = run("direction --material 1.5 --aperture 60 --theta 10 --phi 0 --toward 20,30");
   CHECK(outcome.status == 2);

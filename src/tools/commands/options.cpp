@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/commands/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -75,7 +76,9 @@ std::vector<double> checked_range(std::string_view words, std::string_view optio
   const double steps = std::floor((high - low) / step * (1 + 1e-12) + 1e-9);  // HIGH counts despite rounding
   if (steps > most_steps) throw unexpected(option, words, "at most 100000 steps");
   std::vector<double> values;
-  for (int i = 0; i <= static_cast<int>(steps); ++i) values.push_back(std::min(low + i * step, high));
+  // To 15 digits, as 0.1 + 0.2 is meant to be 0.3.
+  for (int i = 0; i <= static_cast<int>(steps); ++i)
+    values.push_back(std::clamp(parse_number(with_digits(low + i * step, 15)).value(), low, high));
   return values;
 }
 
