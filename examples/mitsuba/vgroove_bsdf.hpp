@@ -6,9 +6,13 @@
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/mueller.h>
 
+#include <optional>
 #include <sstream>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vcavity/vcavity.hpp>
+#include <vector>
 
 #include "parameters.hpp"
 #include "spectra.hpp"
@@ -128,6 +132,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
       : Base(props), parameters_(parameters), uniform_(uniform_site(parameters)) {
     m_flags = Finish::kind | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
+    fit();
   }
 
   std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext& context, const SurfaceInteraction3f& si,
@@ -135,15 +140,14 @@ class VGroove final : public BSDF<Float, Spectrum> {
     BSDFSample3f result = dr::zeros<BSDFSample3f>();
     if (!context.is_enabled(Finish::kind)) return {result, 0.f};
     decltype(auto) site = site_at(si);
-    const auto bsdf = bsdf_at(si, site);
     const Vector wo = site.axes.to_groove(vector(si.wi));
-    const auto drawn = [&] {
+    const auto drawn = with_bsdf(si, site, [&](const auto& bsdf) {
       const Real u(u_lobe);
       if constexpr (discrete)
         return bsdf.sample(wo, u, transport(context));
       else
         return bsdf.sample(wo, u, {Real(u_direction.x()), Real(u_direction.y())}, transport(context));
-    }();
+    });
     if (!drawn) return {result, 0.f};
     result.wo = vector(site.axes.from_groove(drawn->direction));
     result.pdf = static_cast<float>(drawn->probability);
@@ -162,8 +166,11 @@ class VGroove final : public BSDF<Float, Spectrum> {
       decltype(auto) site = site_at(si);
       const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
                    wi_groove = site.axes.to_groove(vector(wi));
-      return spectrum(bsdf_at(si, site).evaluate(wo_groove, wi_groove, transport(context)), site.axes,
-                      wo_groove, wi_groove, transport(context));
+      return spectrum(with_bsdf(si, site,
+                                [&](const auto& bsdf) {
+                                  return bsdf.evaluate(wo_groove, wi_groove, transport(context));
+                                }),
+                      site.axes, wo_groove, wi_groove, transport(context));
     }
   }
 
@@ -174,8 +181,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
     } else {
       if (!context.is_enabled(Finish::kind)) return 0.f;
       decltype(auto) site = site_at(si);
-      return static_cast<float>(
-          bsdf_at(si, site).pdf(site.axes.to_groove(vector(si.wi)), site.axes.to_groove(vector(wi))));
+      return static_cast<float>(with_bsdf(si, site, [&](const auto& bsdf) {
+        return bsdf.pdf(site.axes.to_groove(vector(si.wi)), site.axes.to_groove(vector(wi)));
+      }));
     }
   }
 
@@ -186,7 +194,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
       decltype(auto) site = site_at(si);
       const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
                    wi_groove = site.axes.to_groove(vector(wi));
-      const auto both = bsdf_at(si, site).evaluate_with_pdf(wo_groove, wi_groove, transport(context));
+      const auto both = with_bsdf(si, site, [&](const auto& bsdf) {
+        return bsdf.evaluate_with_pdf(wo_groove, wi_groove, transport(context));
+      });
       return {spectrum(both.value, site.axes, wo_groove, wi_groove, transport(context)),
               static_cast<float>(both.pdf)};
     } else {
@@ -197,6 +207,11 @@ class VGroove final : public BSDF<Float, Spectrum> {
   void traverse(TraversalCallback* callback) override {
     callback->put("eta", parameters_.eta, ParamFlags::NonDifferentiable);
     callback->put("k", parameters_.k, ParamFlags::NonDifferentiable);
+  }
+
+  void parameters_changed(const std::vector<std::string>& keys) override {
+    Base::parameters_changed(keys);
+    fit();
   }
 
   std::string to_string() const override {
@@ -284,6 +299,31 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return Finish::bsdf(site.shape, facet_at(si), parameters_);
   }
 
+  /// A rough surface of one material, whose colours do not depend on the wavelengths of a ray.
+  static constexpr bool is_fitted = std::is_base_of_v<Rough, Finish> && !Effect::polarization &&
+                                    !Variation::varies &&
+                                    std::is_same_v<UnpolarizedSpectrum, Color<float, 3>>;
+
+  /// Makes the BSDF once and for all, with Fresnel's formula as a rational function, where that is as exact.
+  void fit() {
+    if constexpr (is_fitted) {
+      const auto si = dr::zeros<SurfaceInteraction3f>();
+      const auto conductor = vgroove::conductor<double>(parameters_.eta->eval(si), parameters_.k->eval(si));
+      const vcavity::RationalFacet<Values> facet(conductor);
+      constexpr double rounding = 5e-7;
+      fitted_.reset();
+      if (facet.error() < rounding) fitted_.emplace(Finish::bsdf(uniform_.shape, facet, parameters_));
+    }
+  }
+
+  /// Calls `use` with the BSDF at a point.
+  template <class Use>
+  auto with_bsdf(const SurfaceInteraction3f& si, const UniformSite& site, const Use& use) const {
+    if constexpr (is_fitted)
+      if (fitted_) return use(*fitted_);
+    return use(bsdf_at(si, site));
+  }
+
   /// A weight of unpolarised light.
   static Spectrum spectrum(const Values& weight, const Axes&, const Vector&, const Vector&,
                            vcavity::Transport) {
@@ -311,8 +351,19 @@ class VGroove final : public BSDF<Float, Spectrum> {
     }
   }
 
+  /// The BSDF that `fit` makes; of no use for other surfaces.
+  static auto fitted_bsdf() {
+    if constexpr (is_fitted)
+      return std::optional<decltype(Finish::bsdf(std::declval<const UniformSite&>().shape,
+                                                 std::declval<const vcavity::RationalFacet<Values>&>(),
+                                                 std::declval<const Parameters&>()))>();
+    else
+      return std::nullopt;
+  }
+
   Parameters parameters_;
   UniformSite uniform_;
+  decltype(fitted_bsdf()) fitted_ = fitted_bsdf();
 };
 
 /// Calls `use` with the types of the cheapest BSDF that a scene's parameters allow.

@@ -33,6 +33,7 @@
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/interface.hpp"
 #include "vcavity/facet/fresnel.hpp"
+#include "vcavity/facet/rational_facet.hpp"
 #include "vcavity/facet/coated.hpp"
 #include "vcavity/facet/energy_balance.hpp"
 #include "vcavity/facet/panel_facets.hpp"

@@ -68,13 +68,61 @@ VCAVITY_INLINE Real acute_angle(const Real& opposite, const Real& adjacent) {
   if constexpr (has_short_series<Real>) {
     constexpr std::array series{0.999999985f,   -0.333330733f, 0.199926194f,   -0.142036444f, 0.106409337f,
                                 -0.0750429375f, 0.0426915099f, -0.0160686232f, 0.00284988817f};
-    const bool is_steep = adjacent < opposite;
-    const Real slope = is_steep ? adjacent / opposite : opposite / adjacent;
+    // Of the angle and its complement the smaller one; no branch, since half of all angles would take it.
+    const Real slope = at_most(opposite, adjacent) / at_least(opposite, adjacent);
     const Real angle = slope * polynomial(series, Real(slope * slope));
-    return is_steep ? pi<Real>() / 2 - angle : angle;
+    const Real is_steep(adjacent < opposite);
+    return angle + is_steep * (pi<Real>() / 2 - 2 * angle);
   } else {
     using std::atan2;
     return atan2(opposite, adjacent);
+  }
+}
+
+/// An angle above the horizon on one side, and above that on the other: both with all their digits.
+template <class Real>
+struct Elevation {
+  Real angle, complement;  // they add up to π
+
+  Elevation turned() const { return {complement, angle}; }
+};
+
+/// The elevation of a vector in the plane above the side of positive `along`.
+/// @param up ≥ 0, and not 0 if `along` is
+template <Number Real>
+VCAVITY_INLINE Elevation<Real> elevation_of(const Real& along, const Real& up) {
+  const Real low = acute_angle(up, magnitude(along));
+  const Real high = pi<Real>() - low;
+  // By products with 0 and 1: no branch, and no digit lost.
+  const Real behind(along < Real(0) ? 1 : 0), before = Real(1) - behind;
+  return {before * low + behind * high, before * high + behind * low};
+}
+
+/// A unit vector in the plane.
+template <class Real>
+struct PlaneDirection {
+  Real cosine, sine;
+};
+
+/// cos 2πu and sin 2πu
+/// @param u in [0, 1]
+template <Number Real>
+VCAVITY_INLINE PlaneDirection<Real> direction_of_turns(const Real& u) {
+  if constexpr (has_short_series<Real>) {
+    // From the nearer end of the quarter turns: the quadrant, and what is left of −½ … ½ quarters.
+    const Real quarters = Real(4) * u;
+    const int quadrant = static_cast<int>(quarters + Real(0.5));
+    const Real angle = (quarters - Real(quadrant)) * (pi<Real>() / 2);
+    const Real cosine = acute_cosine(angle), sine = acute_sine(angle);
+    const bool is_odd = quadrant % 2 == 1;
+    const Real along = is_odd ? -sine : cosine, across = is_odd ? cosine : sine;
+    const bool is_behind = quadrant == 2 || quadrant == 3;
+    return {is_behind ? -along : along, is_behind ? -across : across};
+  } else {
+    using std::cos;
+    using std::sin;
+    const Real angle = Real(2) * pi<Real>() * u;
+    return {cos(angle), sin(angle)};
   }
 }
 

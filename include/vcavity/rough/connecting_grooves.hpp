@@ -58,6 +58,12 @@ struct GrooveBatch {
   static constexpr std::size_t capacity = 8;
   using Lanes = Pack<Real, capacity>;
 
+  /// 0, 1, 2, …
+  VCAVITY_INLINE static Lanes lane_numbers() {
+    static constexpr std::array numbers{0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f};
+    return Lanes::load(numbers.data());
+  }
+
   int least_bounces;    ///< of the first pair of lanes
   Lanes bounces;        ///< the numbers, in pairs
   Lanes elevation;      ///< of the light above the panel that is met first, in the plane across the groove
@@ -183,19 +189,10 @@ class ConnectingGrooves {
   }
 
  private:
-  /// An angle above the horizon on one side, and above that on the other: both with all their digits.
-  struct Elevation {
-    Real angle, complement;  // they add up to π
-
-    Elevation turned() const { return {complement, angle}; }
-  };
+  using Elevation = detail::Elevation<Real>;
 
   /// The elevation of a direction above the side of panel one.
-  VCAVITY_INLINE static Elevation elevation(const Vec3<Real>& v) {
-    const Real low = detail::acute_angle(v.z, magnitude(v.y));
-    const Real high = pi<Real>() - low;
-    return v.y < Real(0) ? Elevation{high, low} : Elevation{low, high};
-  }
+  VCAVITY_INLINE static Elevation elevation(const Vec3<Real>& v) { return detail::elevation_of(v.y, v.z); }
 
   /// The ways of one parity of the number of bounces and one first panel.
   class Series {
@@ -249,13 +246,14 @@ class ConnectingGrooves {
 
     VCAVITY_INLINE LaneSeries(const Elevation& e, const Elevation& o) {
       // Of an even number of bounces, panel one and panel two first; then of an odd one.
-      const std::array<Real, 4> from{e.angle, e.complement, e.angle, e.complement};
-      const std::array<Real, 4> from_other{e.complement, e.angle, e.complement, e.angle};
-      const std::array<Real, 4> to{o.complement, o.angle, o.angle, o.complement};
-      const std::array<Real, 4> to_other{o.angle, o.complement, o.complement, o.angle};
-      from_ = repeated(from);
-      const Lanes from_complement = repeated(from_other);
-      const Lanes to_angle = repeated(to), to_complement = repeated(to_other);
+      static constexpr std::array is_panel_two{0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f};
+      static constexpr std::array leaves_over_two{1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f, 1.0f};
+      const auto from_two = Lanes::load(is_panel_two.data()) > Real(0);
+      const auto to_two = Lanes::load(leaves_over_two.data()) > Real(0);
+      from_ = select(from_two, Lanes(e.complement), Lanes(e.angle));
+      const Lanes from_complement = select(from_two, Lanes(e.angle), Lanes(e.complement));
+      const Lanes to_angle = select(to_two, Lanes(o.complement), Lanes(o.angle));
+      const Lanes to_complement = select(to_two, Lanes(o.angle), Lanes(o.complement));
       lower_ = at_most(from_, to_angle);
       upper_ = larger(from_, to_angle);
       lower_complement_ = larger(from_complement, to_complement);
@@ -280,8 +278,8 @@ class ConnectingGrooves {
     VCAVITY_INLINE GrooveBatch<Real> batch(int least, int last) const {
       GrooveBatch<Real> batch;
       batch.least_bounces = least;
-      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
-        batch.bounces[lane] = Real(batch.bounces_of(lane));
+      static constexpr std::array in_pairs{0.0f, 0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 3.0f};
+      batch.bounces = Lanes(Real(least)) + Lanes::load(in_pairs.data());
       batch.elevation = from_;
       const Lanes& bounces = batch.bounces;
       const Lanes inverse = Lanes(Real(0.5)) / bounces;
@@ -302,12 +300,6 @@ class ConnectingGrooves {
     }
 
    private:
-    static Lanes repeated(const std::array<Real, 4>& values) {
-      Lanes result;
-      for (std::size_t lane = 0; lane < GrooveBatch<Real>::capacity; ++lane) result[lane] = values[lane % 4];
-      return result;
-    }
-
     static Lanes larger(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
 
     Lanes from_;

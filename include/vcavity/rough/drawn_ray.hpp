@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "vcavity/conventions.hpp"
+#include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/rough/connecting_grooves.hpp"
@@ -23,14 +24,11 @@ class DrawnRay {
   /// @param u in [0, 1]: where the ray meets the opening, from the side of panel one to that of panel two
   DrawnRay(const Vec3<Real>& e, const Vec3<Real>& m, const Real& u) {
     using std::abs;
-    using std::atan2;
-    using std::cos;
     using std::floor;
-    using std::sin;
     using std::sqrt;
     const Real cos_half = sqrt(m.x * m.x + m.y * m.y);
     const Real sin_half = at_least(m.z, smallest_divisor<Real>());
-    const Real aperture = Real(2) * Real(atan2(sin_half, cos_half));
+    const Real aperture = Real(2) * detail::acute_angle(sin_half, cos_half);
     const Vec2<Real> y_axis =
         cos_half > Real(0) ? Vec2<Real>{m.x / cos_half, m.y / cos_half} : Vec2<Real>{Real(0), Real(1)};
     const Real along = e.x * y_axis.y - e.y * y_axis.x;
@@ -52,23 +50,26 @@ class DrawnRay {
                       cos_eta),
                  Real(0)),
         Real(1));
-    const Real elevation = atan2(up, over_first);
-    const Real swept = elevation + Real(atan2(sqrt(rest * (Real(2) - rest)), Real(1) - rest));
+    const Real elevation = detail::elevation_of(over_first, up).angle;
+    const Real swept =
+        elevation + detail::acute_angle(Real(sqrt(rest * (Real(2) - rest))), Real(Real(1) - rest));
     const Real count = at_least(Real(floor(swept / aperture + Real(0.5))), Real(1));
     constexpr int most = std::numeric_limits<int>::max() / 2;
     const int bounces = count < Real(most) ? static_cast<int>(count) : most;
 
     const Real leaving = count * aperture - elevation;
     const bool is_mirrored = (first == Panel::one) != (bounces % 2 == 1);
-    const Real to_side = cos_eta * Real(cos(leaving));
+    const Real from_vertical = pi<Real>() / Real(2) - leaving;
+    const Real to_side = cos_eta * detail::acute_sine(from_vertical);
     const Real to_y = is_mirrored ? Real(-to_side) : to_side;
     leaving_ = {to_y * y_axis.x - along * y_axis.y, to_y * y_axis.y + along * y_axis.x,
-                at_least(Real(cos_eta * Real(sin(leaving))), Real(0))};
+                at_least(Real(cos_eta * detail::acute_cosine(from_vertical)), Real(0))};
 
     // The ray is one of a beam, so that has a width, whatever is left of it by rounding.
     const Real x = Real(0.5) * (aperture - Real(abs(leaving - elevation)));
     const Real beta = Real(0.5) * (pi<Real>() - count * aperture);
-    const Real beam = x < beta ? Real(Real(2) * Real(cos(beta)) * Real(sin(x))) : Real(sin(x + beta));
+    const Real beam = x < beta ? Real(Real(2) * detail::acute_cosine(beta) * detail::acute_sine(x))
+                               : detail::acute_sine(Real(x + beta));
     groove_ = {first, bounces, cos_half, sin_half, at_least(beam, std::numeric_limits<Real>::epsilon())};
   }
 

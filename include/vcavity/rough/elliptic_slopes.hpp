@@ -18,6 +18,7 @@
 #include <limits>
 #include <sstream>
 
+#include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/elementary.hpp"
@@ -81,10 +82,8 @@ class EllipticSlopes {
 
   /// The unit vector of the slope `size`·(a_x cos φ, a_y sin φ)/`up`.
   Vec3<Real> normal(const Real& size, const Real& up, const Real& u_azimuth) const {
-    using std::cos;
-    using std::sin;
-    const Real azimuth = Real(2) * pi<Real>() * u_azimuth;
-    return unit_vector(Real(roughness_x_ * size * cos(azimuth)), Real(roughness_y_ * size * sin(azimuth)),
+    const PlaneDirection<Real> azimuth = direction_of_turns(u_azimuth);
+    return unit_vector(Real(roughness_x_ * size * azimuth.cosine), Real(roughness_y_ * size * azimuth.sine),
                        up);
   }
 

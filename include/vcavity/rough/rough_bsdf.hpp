@@ -267,14 +267,17 @@ class RoughGrooveBsdf {
   /// @param white the same for white facets
   VCAVITY_INLINE Value light(const ConnectingGrooves<Real>& grooves, const GrooveBatch<Real>& batch,
                              const Lanes& white) const {
-    if constexpr (ComponentsOverDirections<Facet, Real>) {
-      return BounceLanes<Real, Facet>(facet_).sum(grooves.cos_eta(), batch, white);
-    } else {
-      Value sum(0);
-      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
-        if (white[lane] > Real(0)) sum = sum + term(grooves, batch[lane], white[lane]);
-      return sum;
+    Value sum(0);
+    for (std::size_t lane = 0; lane < batch.capacity; ++lane) {
+      if (!(white[lane] > Real(0))) continue;
+      if constexpr (ComponentsOverDirections<Facet, Real>)
+        sum = sum + scaled(white[lane],
+                           throughput_in_lanes(facet_, grooves.cos_eta(), Real(batch.elevation[lane]),
+                                               Real(batch.half_aperture[lane]), batch.bounces_of(lane)));
+      else
+        sum = sum + term(grooves, batch[lane], white[lane]);
     }
+    return sum;
   }
 
   Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {
