@@ -77,8 +77,11 @@
 #include "vcavity/profiles/rounding.hpp"
 // matte/: panels that reflect by Lambert's law.
 #include "vcavity/matte/interreflection_kernel.hpp"
+#include "vcavity/matte/panel_grid.hpp"
+#include "vcavity/matte/strip_kernel.hpp"
 #include "vcavity/matte/panel_exchange.hpp"
 #include "vcavity/matte/lambertian_cavity.hpp"
+#include "vcavity/matte/asymmetric_lambertian.hpp"
 #include "vcavity/matte/lambertian_specular.hpp"
 // render/: what a renderer needs.
 #include "vcavity/render/groove_frame.hpp"

@@ -80,22 +80,22 @@ struct Footprint {
   }
 };
 
-/// A function of the place on a panel, given by polynomials in x = −ln s on the panels of `PanelExchange` and constant
+/// A function of the place on a panel, given by polynomials in x = −ln s on the panels of `PanelGrid` and constant
 /// below its last one.
 template <class Real>
 class PanelFunction {
  public:
-  PanelFunction(const PanelExchange<Real>& exchange, const std::vector<Real>& values, const Real& at_apex)
-      : breaks_(exchange.breaks()), at_apex_(at_apex), apex_width_(exchange.apex_width()) {
+  PanelFunction(const PanelGrid<Real>& grid, const std::vector<Real>& values, const Real& at_apex)
+      : breaks_(grid.breaks()), at_apex_(at_apex), apex_width_(grid.apex_width()) {
     // f ds = f e^{−x} dx
     std::vector<Real> densities = values;
-    for (std::size_t i = 0; i < densities.size(); ++i) densities[i] *= exchange.positions()[i];
-    coefficients_ = exchange.polynomials(densities);
+    for (std::size_t i = 0; i < densities.size(); ++i) densities[i] *= grid.positions()[i];
+    coefficients_ = grid.polynomials(densities);
     Real sum(0);
     for (std::size_t panel = 0; panel + 1 < breaks_.size(); ++panel) {
       before_.push_back(sum);
       for (std::size_t i = 0; i < order; ++i)
-        sum += exchange.weights()[panel * order + i] * values[panel * order + i];
+        sum += grid.weights()[panel * order + i] * values[panel * order + i];
     }
     before_.push_back(sum);
   }
@@ -127,11 +127,23 @@ class PanelFunction {
     return (before_[panel] + (breaks_[panel + 1] - breaks_[panel]) * y * sum) / length;
   }
 
+  /// The largest difference of two polynomials of f ds/dx where they meet, which says how well they follow it.
+  Real largest_jump() const {
+    using std::abs;
+    Real largest(0);
+    for (std::size_t panel = 0; panel + 2 < breaks_.size(); ++panel) {
+      Real end(0);
+      for (std::size_t k = 0; k < order; ++k) end += coefficients_[panel * order + k];
+      largest = std::max(largest, Real(abs(end - coefficients_[(panel + 1) * order])));
+    }
+    return largest;
+  }
+
   /// Its mean over the whole panel.
   Real mean() const { return before_.back() + at_apex_ * apex_width_; }
 
  private:
-  static constexpr std::size_t order = PanelExchange<Real>::order;
+  static constexpr std::size_t order = PanelGrid<Real>::order;
 
   std::size_t panel_of(const Real& x) const {
     const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
@@ -189,7 +201,7 @@ class PanelInterreflection {
   /// that begin at the `starts`: ρ₁ρ₂ times the mean radiosity after two or more, even and odd, numbers of crossings.
   void exchange_strips(const PanelExchange<Real>& exchange, const std::vector<Real>& starts,
                        std::vector<Real>& even, std::vector<Real>& odd) const {
-    const std::size_t n = exchange.positions().size();
+    const std::size_t n = exchange.grid().positions().size();
     std::vector<std::vector<Real>> kernels;
     for (const Real& start : starts) kernels.push_back(after_one_crossing(exchange, start));
     for (const std::vector<Real>& kernel : kernels) {
@@ -198,8 +210,8 @@ class PanelInterreflection {
       for (const std::vector<Real>& viewer : kernels) {
         Real even_sum(0), odd_sum(0);
         for (std::size_t i = 0; i < n; ++i) {
-          even_sum += exchange.weights()[i] * viewer[i] * once[i];
-          odd_sum += exchange.weights()[i] * viewer[i] * twice[i];
+          even_sum += exchange.grid().weights()[i] * viewer[i] * once[i];
+          odd_sum += exchange.grid().weights()[i] * viewer[i] * twice[i];
         }
         even.push_back(product_ * even_sum);
         odd.push_back(product_ * odd_sum);
@@ -241,8 +253,8 @@ class PanelInterreflection {
         two_(albedo_two),
         product_(albedo_one * albedo_two),
         crossings_(kernel.crossings(product_)),
-        even_(exchange, light.even, light.even_at_apex),
-        odd_(exchange, light.odd, light.odd_at_apex),
+        even_(exchange.grid(), light.even, light.even_at_apex),
+        odd_(exchange.grid(), light.odd, light.odd_at_apex),
         factors_(std::move(light.factors)),
         nodes_(static_cast<long long>(light.even.size())) {
     using std::abs;
@@ -261,7 +273,7 @@ class PanelInterreflection {
 
   /// E = 1 + p K²E and O = K E.
   static Light light_in_groove(const PanelExchange<Real>& exchange, const Real& product) {
-    const std::size_t n = exchange.positions().size();
+    const std::size_t n = exchange.grid().positions().size();
     SquareMatrix<Real> system(n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
@@ -300,7 +312,7 @@ class PanelInterreflection {
 
   static std::vector<Real> after_one_crossing(const PanelExchange<Real>& exchange, const Real& start) {
     std::vector<Real> result;
-    for (const Real& s : exchange.positions()) result.push_back(exchange.mean_kernel(s, start));
+    for (const Real& s : exchange.grid().positions()) result.push_back(exchange.mean_kernel(s, start));
     return result;
   }
 
@@ -310,7 +322,7 @@ class PanelInterreflection {
     std::vector<Real> odd = factors_.solve(kernel);
     // Its mean is also that over the strip of light that starts evenly: the kernel is symmetric.
     Real mean(0);
-    for (std::size_t i = 0; i < odd.size(); ++i) mean += exchange.weights()[i] * odd[i];
+    for (std::size_t i = 0; i < odd.size(); ++i) mean += exchange.grid().weights()[i] * odd[i];
     const Real error = abs(mean - odd_.mean(footprint.length));
     // A strip is more easily missed than the panel: measured errors are up to twelve times as large as this one.
     return {std::move(kernel), std::move(odd), Real(4) * safety() * error + odd_error_};
@@ -324,7 +336,7 @@ class PanelInterreflection {
     const std::vector<Real> even = exchange.matrix() * in.odd;
     Real even_sum(0), odd_sum(0);
     for (std::size_t i = 0; i < even.size(); ++i) {
-      const Real weight = exchange.weights()[i] * out.kernel[i];
+      const Real weight = exchange.grid().weights()[i] * out.kernel[i];
       even_sum += weight * in.odd[i];
       odd_sum += weight * even[i];
     }
