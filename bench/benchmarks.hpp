@@ -15,6 +15,7 @@ namespace vcavity::bench {
 
 void add_fresnel_benchmarks();
 void add_reflectance_benchmarks();
+void add_profile_benchmarks();
 void add_bihemispherical_benchmarks();
 void add_kernel_benchmarks();
 void add_map_benchmarks();

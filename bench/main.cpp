@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("vcavity", VCAVITY_VERSION);
   add_fresnel_benchmarks();
   add_reflectance_benchmarks();
+  add_profile_benchmarks();
   add_bihemispherical_benchmarks();
   add_kernel_benchmarks();
   add_map_benchmarks();

@@ -18,7 +18,7 @@ from time import monotonic
 
 BEGIN = "<!-- printed by scripts/bench.sh: begin -->\n"
 END = "<!-- printed by scripts/bench.sh: end -->\n"
-COMPUTATIONS = "^(fresnel|reflectance|known_ways|new_groove|plain_loop|growth|bihemispherical|kernel|bare)"
+COMPUTATIONS = "^(fresnel|reflectance|profile|known_ways|new_groove|plain_loop|growth|bihemispherical|kernel|bare)"
 COMMANDS = "^(map|paper)"
 TOLERANCES = ("1e-3", "1e-5", "1e-7", "1e-10", "1e-13")
 
@@ -126,6 +126,17 @@ def new_grooves(results):
     return ("## A new groove per direction\n\nTime per direction in nanoseconds, with one groove for all directions, with "
             "a new one for each from its aperture, and from the normal of its facets without trigonometric functions.\n\n" +
             table(["facet", "aperture", "numbers", "one groove", "from the aperture", "from the normal"], rows))
+
+
+def profiles(results):
+    rows = []
+    symmetric = results.nanoseconds("profile", "symmetric")
+    for shape, in results.names(r"profile/(.+)"):
+        time = results.nanoseconds("profile", shape)
+        rows.append([shape, digits(time), digits(time / symmetric)])
+    return ("## Other shapes and films\n\nDirectional reflectance of silver, 60° where nothing else is said, in double, one by "
+            "one but for packs: time per direction in nanoseconds, and against the symmetric groove of `Cavity`.\n\n" +
+            table(["surface", "ns", "against symmetric"], rows))
 
 
 def growth(results):
@@ -395,7 +406,7 @@ def main():
     if options.plot:
         plot(results, options.plot)
     text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts), kernels(results),
-                      maps(results, core_counts), map_growth(results), reflectance(results), new_grooves(results), bihemispherical(results, sweeps), growth(results),
+                      maps(results, core_counts), map_growth(results), reflectance(results), profiles(results), new_grooves(results), bihemispherical(results, sweeps), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
         print(text)
