@@ -15,6 +15,8 @@ import pathlib
 import mitsuba as mi
 import numpy as np
 
+import vgroove
+
 TOLERANCE = 1e-4  # of a reflectance in float; Mitsuba's formula has the rounding error
 GRAZING = 1e-3  # smallest cosine tried: below it Mitsuba's own formula loses digits on strong metals
 
@@ -41,23 +43,26 @@ def unusual():
     yield {"material": "Cu", "specular_reflectance": {"type": "uniform", "value": 0.4}}
 
 
-def unpolarized(weight):
-    return np.ravel(np.array(weight)[0, 0] if mi.variant().endswith("polarized") else np.array(weight))
+def unpolarized(weights):
+    """The reflectance of unpolarised light, of an array of spectra."""
+    return weights[:, 0, 0] if vgroove.is_polarized() else weights
 
 
-def interaction(wavelengths, cos_theta, phi):
-    si = mi.SurfaceInteraction3f()
-    if wavelengths is not None:
-        si.wavelengths = wavelengths
-    sin_theta = math.sqrt(1 - cos_theta**2)
-    si.wi = [sin_theta * math.cos(phi), sin_theta * math.sin(phi), cos_theta]
-    return si
+def cases(rng):
+    """Directions and wavelengths: all that the variant may ask for, 4 at a time, each from several directions."""
+    spectral = "spectral" in mi.variant()
+    grid = np.arange(360, 831, 5.0) if spectral else np.zeros(4)
+    wi, wavelengths = [], []
+    for start in range(0, len(grid), 4):
+        for cos_theta in (1.0, 0.999, *rng.uniform(GRAZING, 1, 2), GRAZING):
+            sin_theta, phi = math.sqrt(1 - cos_theta**2), rng.uniform(0, 2 * math.pi)
+            wi.append([sin_theta * math.cos(phi), sin_theta * math.sin(phi), cos_theta])
+            wavelengths.append(np.resize(grid[start:start + 4], 4))
+    return np.array(wi), np.array(wavelengths) if spectral else None
 
 
 def check(parameters, rng):
     """The largest difference from `conductor`, where that gives a number."""
-    spectral = "spectral" in mi.variant()
-    grid = np.arange(360, 831, 5.0) if spectral else np.zeros(4)
     flat = mi.load_dict({"type": "vgroove", "aperture": 180.0, **parameters})
     try:
         conductor = mi.load_dict({"type": "conductor", **parameters})
@@ -65,25 +70,22 @@ def check(parameters, rng):
         conductor = None
     grooves = [mi.load_dict({"type": "vgroove", "aperture": 60.0, **parameters, **effects})
                for effects in ({"effects": "paper"}, {"effects": "full"}, {"tolerance": 0.01})]
-    context, largest = mi.BSDFContext(), 0.0
-    for start in range(0, len(grid), 4):
-        wavelengths = np.resize(grid[start:start + 4], 4) if spectral else None
-        for cos_theta in (1.0, 0.999, *rng.uniform(GRAZING, 1, 2), GRAZING):
-            si = interaction(wavelengths, cos_theta, rng.uniform(0, 2 * math.pi))
-            ours = unpolarized(flat.sample(context, si, 0.5, [0.5, 0.5])[1])
-            if not np.all(np.isfinite(ours)):
-                raise SystemExit(f"{mi.variant()}: {parameters}: {ours} at cos θ = {cos_theta}, {wavelengths} nm")
-            if conductor is not None:
-                theirs = unpolarized(conductor.sample(context, si, 0.5, [0.5, 0.5])[1])
-                numbers = np.isfinite(theirs)
-                if mi.variant().endswith("polarized"):
-                    numbers &= theirs > 0
-                largest = max(largest, np.abs(ours - theirs)[numbers].max(initial=0))
-            for groove in grooves:
-                weight = unpolarized(groove.sample(context, si, rng.uniform(), [0.5, 0.5])[1])
-                if not (np.all(weight >= 0) and np.all(np.isfinite(weight))):
-                    raise SystemExit(f"{mi.variant()}: {parameters}: {weight} from a groove")
-    return largest
+    wi, wavelengths = cases(rng)
+    u = rng.uniform(size=(len(wi), 3))
+    ours = unpolarized(vgroove.sampled(flat, wi, u, wavelengths)[2])
+    if not np.all(np.isfinite(ours)):
+        raise SystemExit(f"{mi.variant()}: {parameters}: not a number from a flat surface")
+    for groove in grooves:
+        weights = unpolarized(vgroove.sampled(groove, wi, u, wavelengths)[2])
+        if not (np.all(weights >= 0) and np.all(np.isfinite(weights))):
+            raise SystemExit(f"{mi.variant()}: {parameters}: {weights.min()} from a groove")
+    if conductor is None:
+        return 0.0
+    theirs = unpolarized(vgroove.sampled(conductor, wi, u, wavelengths)[2])
+    numbers = np.isfinite(theirs)
+    if vgroove.is_polarized():
+        numbers &= theirs > 0
+    return np.abs(ours - theirs)[numbers].max(initial=0)
 
 
 def main():
@@ -91,10 +93,8 @@ def main():
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
-    mi.set_variant(options.variant)
+    vgroove.start(options.variant, options.plug_in)
     mi.set_log_level(mi.LogLevel.Error)
-    import vgroove
-    vgroove.load(options.plug_in)
     rng = np.random.default_rng(3)
     worst = [(check(parameters, rng), parameters) for parameters in (*materials(), *unusual())]
     largest, parameters = max(worst, key=lambda pair: pair[0])

@@ -7,6 +7,8 @@ import sys
 
 import mitsuba as mi
 
+import vgroove
+
 ACCEPTED = [
     {},
     {"material": "none"},
@@ -56,14 +58,27 @@ REFUSED = [
 ]
 
 
+# Of the vectorised variants only.
+REFUSED_VECTORISED = [
+    ({"material": "Cu", "aperture": 1.0}, "an aperture must not be less than 2"),
+    ({"material": "Cu", "distribution": "ggx"}, "a distribution needs a scalar variant"),
+]
+
+
 def main():
-    for variant in ("scalar_rgb", "scalar_spectral", "scalar_spectral_polarized"):
-        mi.set_variant(variant)
-        import vgroove
+    for variant in ("scalar_rgb", "scalar_spectral", "scalar_spectral_polarized", "llvm_ad_rgb", "llvm_ad_spectral",
+                    "llvm_ad_spectral_polarized"):
+        try:
+            mi.set_variant(variant)
+        except ImportError as error:
+            print(f"left out: {variant} does not start: {error}")
+            continue
         vgroove.load(sys.argv[1] if len(sys.argv) > 1 else None)
+        vectorised = vgroove.is_vectorised()
         for parameters in ACCEPTED:
-            mi.load_dict({"type": "vgroove", **parameters})
-        for parameters, reason in REFUSED:
+            if not (vectorised and ("distribution" in parameters or "mesh_attribute" in str(parameters.get("aperture")))):
+                mi.load_dict({"type": "vgroove", **parameters})
+        for parameters, reason in REFUSED + (REFUSED_VECTORISED if vectorised else []):
             try:
                 mi.load_dict({"type": "vgroove", **parameters})
             except RuntimeError as error:

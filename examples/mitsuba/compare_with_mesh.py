@@ -15,6 +15,8 @@ import time
 import mitsuba as mi
 import numpy as np
 
+import vgroove
+
 # (material, aperture, θ, φ) in degrees; φ is measured from the direction across the grooves.
 CASES = [(material, aperture, theta, phi)
          for material, aperture in [("Cu", 40), ("Cu", 60), ("Ag", 45), ("Cr", 90), ("Cu", 130), (1.5, 60), (1.5, 100)]
@@ -66,7 +68,7 @@ def scene(surface, aperture, theta, phi, sky):
     path = {"type": "path", "max_depth": 100, "rr_depth": 100}
     return mi.load_dict({
         "type": "scene",
-        "integrator": {"type": "stokes", "nested": path} if is_polarized() else path,
+        "integrator": {"type": "stokes", "nested": path} if vgroove.is_polarized() else path,
         "surface": surface,
         "sky": {"type": "envmap", "bitmap": sky, "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)},
         "sensor": {"type": "distant", "direction": [-c for c in towards_viewer],
@@ -77,17 +79,13 @@ def scene(surface, aperture, theta, phi, sky):
     })
 
 
-def is_polarized():
-    return mi.variant().endswith("polarized")
-
-
 def radiance(scene, samples, seed):
     """Means, standard errors and processor seconds; one mean over the colours, or one for each of I, Q, U, V."""
     start = time.process_time()
     pixels = np.array([np.ravel(mi.render(scene, spp=BATCH, seed=seed + batch)) for batch in range(samples // BATCH)],
                       dtype=float)
     seconds = time.process_time() - start
-    colours = pixels[:, 3:] if is_polarized() else pixels  # the stokes integrator puts the picture first
+    colours = pixels[:, 3:] if vgroove.is_polarized() else pixels  # the stokes integrator puts the picture first
     means = colours.reshape(len(pixels), -1, 3).mean(axis=2)
     mean = means.mean(axis=0)
     noise = means.std(axis=0, ddof=1) / math.sqrt(len(means))
@@ -101,16 +99,13 @@ def flat_difference(rng, trials=500):
     for material in ("Cu", 1.5):
         flat = mi.load_dict({"type": "vgroove", "aperture": 180.0, "rotation": 25.0, **facet(material)})
         conductor = mi.load_dict({"type": "conductor", **facet(material)})
-        for _ in range(trials):
-            si = mi.SurfaceInteraction3f()
-            si.wavelengths = rng.uniform(400, 700, 4)
-            cos_theta, phi = rng.uniform(0.01, 1), rng.uniform(0, 2 * math.pi)
-            sin_theta = math.sqrt(1 - cos_theta**2)
-            si.wi = [sin_theta * math.cos(phi), sin_theta * math.sin(phi), cos_theta]
-            for mode in (mi.TransportMode.Radiance, mi.TransportMode.Importance):
-                weights = [np.array(bsdf.sample(mi.BSDFContext(mode), si, 0.5, [0.5, 0.5])[1])
-                           for bsdf in (flat, conductor)]
-                largest = max(largest, np.abs(weights[0] - weights[1]).max())
+        cos_theta, phi = rng.uniform(0.01, 1, trials), rng.uniform(0, 2 * math.pi, trials)
+        sin_theta = np.sqrt(1 - cos_theta**2)
+        wi = np.stack([sin_theta * np.cos(phi), sin_theta * np.sin(phi), cos_theta], axis=1)
+        wavelengths, u = rng.uniform(400, 700, (trials, 4)), np.full((trials, 3), 0.5)
+        for mode in (mi.TransportMode.Radiance, mi.TransportMode.Importance):
+            weights = [vgroove.sampled(bsdf, wi, u, wavelengths, mode)[2] for bsdf in (flat, conductor)]
+            largest = max(largest, np.abs(weights[0] - weights[1]).max())
     return largest
 
 
@@ -124,14 +119,11 @@ def main():
     parser.add_argument("--samples", type=int, default=400_000, help="paths per number; 400000 by default")
     parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
-    mi.set_variant(options.variant)
-    global vgroove
-    import vgroove
-    vgroove.load(options.plug_in)
+    vgroove.start(options.variant, options.plug_in)
 
     patches = np.random.default_rng(1).uniform(0, 1, (16, 32, 3))
     sky = mi.Bitmap(patches.astype(np.float32))
-    quantity = "I, Q, U, V" if is_polarized() else "radiance"
+    quantity = "I, Q, U, V" if vgroove.is_polarized() else "radiance"
     print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number\n")
     print(f"| material | aperture | θ | φ | {quantity}: mesh | plug-in | difference / σ | speed at equal error |")
     print("|---|---|---|---|---|---|---|---|")
@@ -165,7 +157,7 @@ def main():
     if p_value < FALSE_ALARM_RATE:
         print("mesh and plug-in disagree", file=sys.stderr)
         return 1
-    if is_polarized():
+    if vgroove.is_polarized():
         difference = flat_difference(np.random.default_rng(2))
         print(f"Largest difference of a Mueller matrix between vgroove at 180° and conductor: {difference:.1g}.")
         if not difference < FLAT_TOLERANCE:

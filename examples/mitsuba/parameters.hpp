@@ -34,6 +34,15 @@ bool varies(const Texture& texture) {
   return texture.is_spatially_varying() || is_of_mesh(texture);
 }
 
+/// A value of a variant that is known when a scene is loaded, as a number.
+template <class Float>
+double number_of(const Float& value) {
+  if constexpr (dr::is_jit_v<Float>)
+    return dr::detach(value).entry(0);
+  else
+    return value;
+}
+
 /// A number that may vary over a surface.
 template <typename Float, typename Spectrum>
 class SurfaceNumber {
@@ -49,21 +58,32 @@ class SurfaceNumber {
   /// @throws std::runtime_error when a value lies elsewhere; of textures the texels are looked at, or as many
   ///         points as a texture without texels has
   SurfaceNumber(const Properties& props, const char* name, float fallback, Range allowed, bool open = false)
-      : texture_(props.get_texture<Texture>(name, fallback)), constant_(fallback) {
+      : texture_(props.get_texture<Texture>(name, fallback)),
+        name_(name),
+        allowed_(allowed),
+        open_(open),
+        constant_(fallback) {
+    look_again();
+  }
+
+  /// Looks for the range of the texture's values, after they have changed.
+  /// @throws std::runtime_error when a value is out of range
+  void look_again() {
+    range_.reset();
     if (!varies()) {
-      constant_ = texture_->eval_1(dr::zeros<SurfaceInteraction3f>());
+      constant_ = static_cast<float>(number_of(texture_->eval_1(dr::zeros<SurfaceInteraction3f>())));
       range_ = Range{constant_, constant_};
     } else if (!is_of_mesh(*texture_)) {
       range_ = range_of_texels();
     }
     if (range_)
       for (const double x : {range_->low, range_->high})
-        if (!(x <= allowed.high && (open ? x > allowed.low : x >= allowed.low)))
-          Throw("vgroove: %s must lie in %s%g, %g], not be %g", name, open ? "(" : "[", allowed.low,
-                allowed.high, x);
+        if (!(x <= allowed_.high && (open_ ? x > allowed_.low : x >= allowed_.low)))
+          Throw("vgroove: %s must lie in %s%g, %g], not be %g", name_, open_ ? "(" : "[", allowed_.low,
+                allowed_.high, x);
     constexpr double next_to_open = 0.01;  // what a mesh may give in place of a value out of range
-    smallest_ = static_cast<float>(range_ ? range_->low : open ? allowed.low + next_to_open : allowed.low);
-    largest_ = static_cast<float>(range_ ? range_->high : allowed.high);
+    smallest_ = static_cast<float>(range_ ? range_->low : open_ ? allowed_.low + next_to_open : allowed_.low);
+    largest_ = static_cast<float>(range_ ? range_->high : allowed_.high);
   }
 
   /// Whether it is not the same everywhere.
@@ -73,15 +93,19 @@ class SurfaceNumber {
   float constant() const { return constant_; }
 
   /// The value at a point.
-  float at(const SurfaceInteraction3f& si) const {
-    const float value = texture_->eval_1(si);
-    return value >= smallest_ ? std::min(value, largest_) : smallest_;
+  Float at(const SurfaceInteraction3f& si, const Mask& active = true) const {
+    const Float value = texture_->eval_1(si, active);
+    return dr::select(value >= smallest_, dr::minimum(value, largest_), smallest_);
   }
+
+  /// The smallest value that a point may have.
+  float smallest() const { return smallest_; }
 
   /// Nothing if it is not known before rendering.
   const std::optional<Range>& range() const { return range_; }
 
   const Texture* texture() const { return texture_.get(); }
+  Texture* texture() { return texture_.get(); }
 
  private:
   Range range_of_texels() const {
@@ -89,12 +113,28 @@ class SurfaceNumber {
     const auto resolution = texture_->resolution();
     const int columns = std::clamp(resolution.x(), fewest, most),
               rows = std::clamp(resolution.y(), fewest, most);
-    Range range{HUGE_VAL, -HUGE_VAL};
     SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
+    if constexpr (dr::is_jit_v<Float>) {
+      const UInt32 texel = dr::arange<UInt32>(static_cast<std::size_t>(rows * columns));
+      const UInt32 row = texel / static_cast<std::uint32_t>(columns);
+      si.uv = Point2f(
+          (Float(texel - row * static_cast<std::uint32_t>(columns)) + 0.5f) / static_cast<float>(columns),
+          (Float(row) + 0.5f) / static_cast<float>(rows));
+      const Float values = dr::detach(texture_->eval_1(si));
+      if (dr::any(dr::isnan(values))) return {NAN, NAN};
+      return {number_of(dr::min(values)), number_of(dr::max(values))};
+    } else {
+      return range_of_texels(si, rows, columns);
+    }
+  }
+
+  /// One after the other.
+  Range range_of_texels(SurfaceInteraction3f& si, int rows, int columns) const {
+    Range range{HUGE_VAL, -HUGE_VAL};
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
         si.uv = Point2f((column + 0.5f) / columns, (row + 0.5f) / rows);
-        const double value = texture_->eval_1(si);
+        const double value = number_of(texture_->eval_1(si));
         range = {std::min(range.low, value), std::max(range.high, value)};
         if (std::isnan(value)) return {value, value};
       }
@@ -103,6 +143,9 @@ class SurfaceNumber {
   }
 
   ref<Texture> texture_;
+  const char* name_;
+  Range allowed_;
+  bool open_;
   std::optional<Range> range_;
   float constant_;
   float smallest_;
@@ -299,7 +342,7 @@ class GrooveParameters {
     for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
       const UnpolarizedSpectrum value = tint->eval(si);
       for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
-        brightest = std::max(brightest, static_cast<double>(value[i]));
+        brightest = std::max(brightest, number_of(value[i]));
     });
     return brightest;
   }
@@ -309,7 +352,8 @@ class GrooveParameters {
     for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
       const UnpolarizedSpectrum n = eta->eval(si), extinction = k->eval(si);
       for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i) {
-        const auto index = vgroove::Index::of(n[i], extinction[i]);
+        const auto index = vgroove::Index::of(static_cast<float>(number_of(n[i])),
+                                              static_cast<float>(number_of(extinction[i])));
         const auto same = [&](const vgroove::Index& other) {
           return other.n == index.n && other.k == index.k;
         };

@@ -57,6 +57,19 @@ vcavity::Conductor<Values<Real, UnpolarizedSpectrum>> conductor(const Unpolarize
   return {n_values, k_values};
 }
 
+/// The same for the arrays of a vectorised variant.
+/// @tparam Values of vcavity, one component per colour or wavelength, each an array
+template <class Values, class UnpolarizedSpectrum>
+vcavity::Conductor<Values> conductor_of_lanes(const UnpolarizedSpectrum& eta, const UnpolarizedSpectrum& k) {
+  const auto within = [](const UnpolarizedSpectrum& x) -> UnpolarizedSpectrum {
+    return drjit::select(drjit::isnan(x), 0.f, drjit::minimum(drjit::abs(x), Index::largest));
+  };
+  const UnpolarizedSpectrum n_values = within(eta), k_values = within(k);
+  const auto is_index = n_values + k_values >= Index::smallest;
+  return {Values(UnpolarizedSpectrum(drjit::select(is_index, n_values, Index::mirror().n))),
+          Values(UnpolarizedSpectrum(drjit::select(is_index, k_values, Index::mirror().k)))};
+}
+
 /// Values of vcavity as a spectrum of Mitsuba.
 template <class UnpolarizedSpectrum, class Real>
 UnpolarizedSpectrum to_spectrum(const Values<Real, UnpolarizedSpectrum>& values) {

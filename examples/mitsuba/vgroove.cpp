@@ -22,15 +22,16 @@
 ///  - `concentration` κ of the azimuths of brushed grooves about that axis, in [0, 1e6]; 100 by default
 ///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
-/// One-sided, like `conductor`. Built for the scalar variants.
+/// One-sided, like `conductor`. Built for the scalar variants, and without `distribution` for those of LLVM.
 
 #include <mitsuba/core/plugin.h>
 
 #include <type_traits>
 
+#include "register.hpp"
 #include "vgroove_bsdf.hpp"
 
-/// Registers the scalar variants; Mitsuba calls it when it loads the plug-in.
+/// Registers the variants; Mitsuba calls it when it loads the plug-in.
 extern "C" MI_EXPORT void init_plugin(std::string_view name, mitsuba::PluginRegisterFn register_plugin) {
   using namespace mitsuba;
   const auto add = [&]<typename Float, typename Spectrum>(std::type_identity<BSDF<Float, Spectrum>>) {
@@ -46,4 +47,5 @@ extern "C" MI_EXPORT void init_plugin(std::string_view name, mitsuba::PluginRegi
   add(std::type_identity<BSDF<float, Color<float, 3>>>());
   add(std::type_identity<BSDF<float, Wavelengths>>());
   add(std::type_identity<BSDF<float, MuellerMatrix<Wavelengths>>>());
+  vgroove::register_llvm_variants(name, register_plugin);
 }

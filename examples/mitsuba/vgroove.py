@@ -2,6 +2,7 @@
 """Makes the plug-in `vgroove` known to Mitsuba, and builds what the scenes of this folder share."""
 
 import pathlib
+import sys
 
 import mitsuba as mi
 import numpy as np
@@ -16,6 +17,17 @@ def load(build_folder=None):
         raise SystemExit(f"{folder} holds no plugins/vgroove.so; build it first:\n"
                          f"  cmake -S {ROOT}/examples/mitsuba -B {folder} && cmake --build {folder}")
     mi.file_resolver().prepend(str(folder))
+
+
+def start(variant, build_folder=None):
+    """Sets a variant and makes the plug-in known; ends the program with status 77, "skipped", where the variant does not
+    start, as vectorised ones without LLVM."""
+    try:
+        mi.set_variant(variant)
+    except ImportError as error:
+        print(f"skipped: {variant} does not start: {error}")
+        sys.exit(77)
+    load(build_folder)
 
 
 def triangle_mesh(name, vertices, faces, texcoords=None, bsdf=None):
@@ -35,3 +47,47 @@ def triangle_mesh(name, vertices, faces, texcoords=None, bsdf=None):
     if texcoords is not None:
         mesh.recompute_vertex_normals()
     return mesh
+
+
+def is_vectorised():
+    return not mi.variant().startswith("scalar")
+
+
+def is_polarized():
+    return mi.variant().endswith("polarized")
+
+
+def interactions(wi, wavelengths=None):
+    """Where light that comes from `wi`, n directions in the shading frame, meets a surface: one interaction of a
+    vectorised variant, or a list of n of a scalar one. `wavelengths` are in nm, 4 for each direction."""
+    if not is_vectorised():
+        result = []
+        for i, direction in enumerate(np.asarray(wi, np.float32).tolist()):
+            si = mi.SurfaceInteraction3f()
+            si.wi = direction
+            if wavelengths is not None:
+                si.wavelengths = np.asarray(wavelengths[i], np.float32)
+            result.append(si)
+        return result
+    import drjit as dr
+    si = dr.zeros(mi.SurfaceInteraction3f, len(wi))
+    si.wi = mi.Vector3f(np.asarray(wi, np.float32).T)
+    if wavelengths is not None:
+        si.wavelengths = type(si.wavelengths)(np.asarray(wavelengths, np.float32).T)
+    return si
+
+
+def sampled(bsdf, wi, u, wavelengths=None, mode=None):
+    """What `sample` of a BSDF draws for n directions and n × 3 random numbers, in any variant: arrays of n directions, n
+    densities, and n weights; these have the shape of the variant's spectrum."""
+    context, si = mi.BSDFContext(mode or mi.TransportMode.Radiance), interactions(wi, wavelengths)
+    u = np.asarray(u, np.float32)
+    if not is_vectorised():
+        drawn = [bsdf.sample(context, one, numbers[0], numbers[1:]) for one, numbers in zip(si, u.tolist())]
+        return (np.array([np.ravel(sample.wo) for sample, _ in drawn]), np.array([sample.pdf for sample, _ in drawn]),
+                np.array([np.array(weight) for _, weight in drawn]))
+    import drjit as dr
+    sample, weight = bsdf.sample(context, si, mi.Float(u[:, 0]), mi.Point2f(u[:, 1:].T))
+    weight = np.moveaxis(np.array(weight), -1, 0)
+    return (np.array(sample.wo).T, np.array(dr.full(mi.Float, 0, len(u)) + sample.pdf),
+            np.broadcast_to(weight, (len(u), *weight.shape[1:])))

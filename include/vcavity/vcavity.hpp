@@ -86,6 +86,7 @@
 // render/: what a renderer needs.
 #include "vcavity/render/groove_frame.hpp"
 #include "vcavity/render/bsdf.hpp"
+#include "vcavity/render/lobe_slots.hpp"
 #include "vcavity/render/von_mises_fisher.hpp"
 #include "vcavity/render/spread_bsdf.hpp"
 #include "vcavity/render/lambertian_bsdf.hpp"

@@ -56,7 +56,7 @@ namespace detail {
 template <class Real>
 Real smallest_cosine() {
   using std::sqrt;
-  if constexpr (std::is_floating_point_v<Real>) {
+  if constexpr (std::is_floating_point_v<Real> || !Number<Real>) {
     return sqrt(sqrt(std::numeric_limits<Real>::min()));
   } else {
     static const Real value = sqrt(sqrt(std::numeric_limits<Real>::min()));
@@ -77,17 +77,21 @@ Real largest_index() {
   return sqrt(sqrt(std::numeric_limits<Real>::max())) / Real(4);
 }
 
-/// Throws std::invalid_argument unless every component of `a` is in [low, largest_index].
+/// Throws std::invalid_argument unless every component of `a` is in [low, largest_index]. What is not made of numbers,
+/// such as expressions that are evaluated later, cannot be asked.
 template <class Value>
-void require_index(const Value& a, const scalar_t<Value>& low, const char* name) {
+void require_index([[maybe_unused]] const Value& a, [[maybe_unused]] const scalar_t<Value>& low,
+                   [[maybe_unused]] const char* name) {
   using Real = scalar_t<Value>;
-  for_each_component(a, [&low, name](const Real& x) {
-    if (!(x >= low && x <= largest_index<Real>())) {
-      std::ostringstream message;
-      message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
-      throw_invalid_argument(message.str());
-    }
-  });
+  if constexpr (Number<Real>) {
+    for_each_component(a, [&low, name](const Real& x) {
+      if (!(x >= low && x <= largest_index<Real>())) {
+        std::ostringstream message;
+        message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
+        throw_invalid_argument(message.str());
+      }
+    });
+  }
 }
 
 /// What n = 1 + (n − 1) lost by rounding; its square would lose twice as much.

@@ -28,7 +28,7 @@
 namespace vcavity {
 
 /// A fraction of the opening below this is the rounding error of a direction at a change of the bounce count.
-template <Number Real>
+template <class Real>
 Real negligible_fraction() {
   return Real(4) * std::numeric_limits<Real>::epsilon();
 }

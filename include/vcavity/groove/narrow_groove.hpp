@@ -84,7 +84,7 @@ VCAVITY_NOINLINE Continuation<Real, Value> reflect_many(const Facet& facet, Unfo
 template <class Value>
 bool is_dark(const Value& throughput, int bounce) {
   constexpr int seldom = 8;
-  return bounce % seldom == 0 && largest(throughput) < std::numeric_limits<scalar_t<Value>>::min();
+  return bounce % seldom == 0 && all_of(largest(throughput) < std::numeric_limits<scalar_t<Value>>::min());
 }
 
 /// Whether it is faster to multiply a value by 1, or to add 0, than to find out that there is no need.

@@ -103,9 +103,9 @@ class UnfoldedRay {
   /// component is reversed, the others stay.
   Vec3<Real> exit_direction() const {
     const Real tangent = tangent_component();
-    const Real across = normal_ * groove_->cos_half() + tangent * groove_->sin_half();
+    const Real across = groove_->cos_half() * normal_ + groove_->sin_half() * tangent;
     return {-along_, panel_ == Panel::one ? across : Real(-across),
-            normal_ * groove_->sin_half() - tangent * groove_->cos_half()};
+            groove_->sin_half() * normal_ - groove_->cos_half() * tangent};
   }
 
  private:

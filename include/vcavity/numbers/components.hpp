@@ -94,7 +94,7 @@ auto scaled(const Factor& factor, const Value& value) {
 }
 
 /// The smallest number to divide by: its inverse is finite.
-template <Number Real>
+template <class Real>
 Real smallest_divisor() {
   return Real(4) * std::numeric_limits<Real>::min();
 }

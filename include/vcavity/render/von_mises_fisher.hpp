@@ -45,17 +45,21 @@ class VonMisesFisher {
   /// Probability density per steradian.
   /// @param mean unit vector
   /// @param direction unit vector
-  Real density(const Vec3<Real>& mean, const Vec3<Real>& direction) const {
+  /// @tparam Coordinate `Real`, or a value of many of them: as many pairs of directions at once
+  template <class Coordinate>
+  Coordinate density(const Vec3<Coordinate>& mean, const Vec3<Coordinate>& direction) const {
     using std::exp;
-    const Vec3<Real> d = direction - mean;
-    const Real versine = (d.x * d.x + d.y * d.y + d.z * d.z) / Real(2);
-    return kappa_ / (Real(2) * pi<Real>() * tail_) * exp(-kappa_ * versine);
+    const Coordinate x = direction.x - mean.x, y = direction.y - mean.y, z = direction.z - mean.z;
+    const Coordinate versine = Coordinate(Real(0.5)) * (x * x + y * y + z * z);
+    return Coordinate(kappa_ / (Real(2) * pi<Real>() * tail_)) * exp(Coordinate(-kappa_) * versine);
   }
 
   /// A direction of that density.
   /// @param mean unit vector
   /// @param u two random numbers, uniform in [0, 1]
-  Vec3<Real> sample(const Vec3<Real>& mean, const Vec2<Real>& u) const {
+  /// @tparam Coordinate as for `density`
+  template <class Coordinate>
+  Vec3<Coordinate> sample(const Vec3<Coordinate>& mean, const Vec2<Coordinate>& u) const {
     using std::cos;
     using std::log1p;
     using std::sin;
@@ -63,23 +67,27 @@ class VonMisesFisher {
     // Where κ is large, u = 1 stands for the largest number below it: the logarithm is finite, and so is the
     // inverse of the density. Where κ is small, the ratio may exceed 2 by rounding.
     const Real most = Real(1) - std::numeric_limits<Real>::epsilon() / Real(2);
-    Real versine = -log1p(-at_most(Real(u.x * tail_), most)) / kappa_;
-    if (!(versine < Real(2))) versine = Real(2);
-    const Real radius = sqrt(versine * (Real(2) - versine));
-    const Real azimuth = Real(2) * pi<Real>() * u.y;
-    return around(mean, {radius * cos(azimuth), radius * sin(azimuth), Real(1) - versine});
+    const Coordinate drawn = at_most(Coordinate(Coordinate(tail_) * u.x), Coordinate(most));
+    const Coordinate versine =
+        at_most(Coordinate(-log1p(-drawn) * Coordinate(Real(1) / kappa_)), Coordinate(Real(2)));
+    const Coordinate radius = sqrt(versine * (Coordinate(Real(2)) - versine));
+    const Coordinate azimuth = Coordinate(Real(2) * pi<Real>()) * u.y;
+    return around<Coordinate>(mean,
+                              {radius * cos(azimuth), radius * sin(azimuth), Coordinate(Real(1)) - versine});
   }
 
  private:
   /// A vector given relative to a pole, in the basis of Duff et al., "Building an orthonormal basis,
   /// revisited", JCGT 6(1), 2017.
-  static Vec3<Real> around(const Vec3<Real>& pole, const Vec3<Real>& v) {
-    const Real sign = pole.z < Real(0) ? Real(-1) : Real(1);
-    const Real a = Real(-1) / (sign + pole.z);
-    const Real b = pole.x * pole.y * a;
-    const Vec3<Real> first{Real(1) + sign * pole.x * pole.x * a, sign * b, -sign * pole.x};
-    const Vec3<Real> second{b, sign + pole.y * pole.y * a, -pole.y};
-    return v.x * first + v.y * second + v.z * pole;
+  template <class Coordinate>
+  static Vec3<Coordinate> around(const Vec3<Coordinate>& pole, const Vec3<Coordinate>& v) {
+    const Coordinate one(Real(1)), minus_one(Real(-1));
+    const Coordinate sign = select(pole.z < Coordinate(Real(0)), minus_one, one);
+    const Coordinate a = minus_one / (sign + pole.z);
+    const Coordinate b = pole.x * pole.y * a;
+    return {v.x * (one + sign * pole.x * pole.x * a) + v.y * b + v.z * pole.x,
+            v.x * (sign * b) + v.y * (sign + pole.y * pole.y * a) + v.z * pole.y,
+            v.z * pole.z - v.x * (sign * pole.x) - v.y * pole.y};
   }
 
   Real kappa_;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Numbers of Dr.Jit as values of vcavity: as many directions at once as an array has entries, with derivatives where the
+/// array has them.
+///
+/// The headers of vcavity compute with packs of numbers, whose comparisons make masks that `select` takes. An array of
+/// Dr.Jit is such a pack, of which nobody knows the entries before a kernel runs. So whether any entry meets a condition
+/// is answered with "maybe": `any_of` is true and `all_of` false, all work is done, and masks decide what counts.
+///
+/// When not to use it: where a function of vcavity branches on a number. Such code does not compile, for a mask is no bool.
+
+#include <drjit/jit.h>
+#include <drjit/math.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vcavity/vcavity.hpp>
+
+namespace vgroove {
+
+/// A condition on each entry of an array.
+template <class Mask>
+struct LaneMask {
+  Mask mask;
+
+  friend bool any_of(const LaneMask&) { return true; }
+  friend bool all_of(const LaneMask&) { return false; }
+};
+
+/// @tparam Array `Float` of a vectorised variant, or a colour or spectrum of them
+template <class Array>
+struct Lanes {
+  using Entry = drjit::value_t<Array>;
+  static constexpr bool is_number = std::is_arithmetic_v<Entry>;
+  using value_type = Lanes<std::conditional_t<is_number, Array, Entry>>;
+  using Mask = LaneMask<drjit::mask_t<Array>>;
+
+  Array array;
+
+  Lanes() = default;
+  Lanes(const Array& values) : array(values) {}
+  /// The same number everywhere.
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+  explicit Lanes(Number number) : array(static_cast<float>(number)) {}
+  /// A number of each direction as the value of all colours.
+  template <class Other>
+    requires(!is_number && std::is_same_v<Other, Entry>)
+  Lanes(const Lanes<Other>& number) : array(number.array) {}
+
+  friend Lanes operator-(const Lanes& a) { return -a.array; }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return a.array + b.array; }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return a.array - b.array; }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return a.array * b.array; }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return a.array / b.array; }
+  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+  Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
+  Lanes& operator/=(const Lanes& b) { return *this = *this / b; }
+
+  friend Mask operator<(const Lanes& a, const Lanes& b) { return {a.array < b.array}; }
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return {a.array > b.array}; }
+  friend Mask operator>=(const Lanes& a, const Lanes& b) { return {a.array >= b.array}; }
+  template <class Condition>
+  friend Lanes select(const LaneMask<Condition>& mask, const Lanes& a, const Lanes& b) {
+    return Array(drjit::select(mask.mask, a.array, b.array));
+  }
+
+  friend Lanes sqrt(const Lanes& a) { return drjit::sqrt(a.array); }
+  friend Lanes magnitude(const Lanes& a) { return drjit::abs(a.array); }
+  friend Lanes at_least(const Lanes& a, const Lanes& floor) { return drjit::maximum(a.array, floor.array); }
+  friend Lanes at_most(const Lanes& a, const Lanes& ceiling) {
+    return drjit::minimum(a.array, ceiling.array);
+  }
+  friend Lanes exp(const Lanes& a) { return drjit::exp(a.array); }
+  friend Lanes sin(const Lanes& a) { return drjit::sin(a.array); }
+  friend Lanes cos(const Lanes& a) { return drjit::cos(a.array); }
+  friend Lanes log1p(const Lanes& a) { return drjit::log(1.f + a.array); }
+  friend value_type largest(const Lanes& a) {
+    if constexpr (is_number)
+      return drjit::abs(a.array);
+    else
+      return drjit::max(drjit::abs(a.array));
+  }
+};
+
+}  // namespace vgroove
+
+/// The properties of the entries, where functions ask for them by the type of a value.
+template <class Array>
+struct std::numeric_limits<vgroove::Lanes<Array>> {
+  using Value = vgroove::Lanes<Array>;
+  static constexpr bool is_specialized = false;  // a pack is no number
+  static Value epsilon() { return Value(std::numeric_limits<float>::epsilon()); }
+  static Value min() { return Value(std::numeric_limits<float>::min()); }
+  static Value max() { return Value(std::numeric_limits<float>::max()); }
+};
+
+namespace vcavity {
+
+/// Grooves of as many apertures as an array has entries, through which derivatives pass. It stands in for `Cavity` where
+/// the headers want one, with the same members.
+template <class Array>
+class Cavity<vgroove::Lanes<Array>> {
+ public:
+  using Real = vgroove::Lanes<Array>;
+  using value_type = Real;
+  static constexpr std::size_t max_lobes = 4;
+  static constexpr int most_multiples = 15;
+
+  /// Cosines and sines of an angle.
+  struct Rotation {
+    Real cosine;
+    Real sine;
+  };
+
+  /// @param aperture in radians, in (0, π]
+  /// @param max_bounces of the narrowest groove: so many are followed in all
+  Cavity(const Real& aperture, int max_bounces) : aperture_(aperture), max_bounces_(max_bounces) {
+    const auto [sine, cosine] = drjit::sincos(0.5f * aperture.array);
+    multiples_[0] = {Real(1), Real(0)};
+    multiples_[1] = {at_least(Real(cosine), Real(0)), Real(sine)};
+    // By the addition theorem, from halves: few roundings, and one pair of trigonometric functions.
+    const int needed = 2 * max_bounces + 1 < most_multiples ? 2 * max_bounces + 1 : most_multiples;
+    for (std::size_t k = 2; k <= static_cast<std::size_t>(needed); ++k) {
+      const Rotation &a = multiples_[k / 2], &b = multiples_[k - k / 2];
+      multiples_[k] = {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+    }
+  }
+
+  Real aperture() const { return aperture_; }
+  Real sin_half() const { return multiples_[1].sine; }
+  Real cos_half() const { return multiples_[1].cosine; }
+  Real inverse_sin_half() const { return Real(1) / sin_half(); }
+  Real least_up() const { return smallest_divisor<Real>() * inverse_sin_half(); }
+  int max_bounces() const { return max_bounces_; }
+  const Rotation& tabulated(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
+  Rotation multiple(std::int64_t k) const {
+    if (k <= most_multiples) return tabulated(k);
+    const auto [sine, cosine] = drjit::sincos((0.5f * static_cast<float>(k)) * aperture_.array);
+    return {Real(cosine), Real(sine)};
+  }
+
+ private:
+  Real aperture_;
+  int max_bounces_;
+  std::array<Rotation, most_multiples + 1> multiples_;
+};
+
+/// Multiplying by 1 is all there is.
+template <class Array>
+inline constexpr bool cheaper_than_branch<vgroove::Lanes<Array>> = true;
+
+}  // namespace vcavity
