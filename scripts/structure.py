@@ -8,6 +8,7 @@
 import pathlib
 import re
 import sys
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "structure.md"
@@ -15,7 +16,7 @@ BEGIN, END = "<!-- scripts/structure.py -->", "<!-- end -->"
 
 
 def rooms(name):
-    """The rooms of a tree in the order that the layer test keeps."""
+    """A list of the layer test: the rooms of a tree from the ground up, or the headers of the core."""
     test = (ROOT / "tests" / "layers" / "check_layers.cmake").read_text()
     return re.search(rf"set\({name} ([^)]*)\)", test).group(1).split()
 
@@ -57,10 +58,19 @@ def lines_of(folder, order):
             yield f"    {str(header.relative_to(path)):26} {purpose(header)}"
 
 
+def core():
+    """What to read first, and how long it is."""
+    headers = rooms("core_headers")
+    lines = sum((ROOT / "include" / "vcavity" / header).read_text().count("\n") for header in headers)
+    names = [f"[`{header}`](../include/vcavity/{header})" for header in headers]
+    text = f"The core, from a ray to the directional reflectance, is {', '.join(names[:-1])} and {names[-1]}, in {lines} lines."
+    return "\n".join(textwrap.wrap(text, 120, break_long_words=False, break_on_hyphens=False))
+
+
 def tree():
     library = list(lines_of(ROOT / "include" / "vcavity", rooms("library_rooms")))
     tools = list(lines_of(ROOT / "src" / "tools", rooms("tool_rooms")))
-    return "\n".join([BEGIN, "```text", *library, "", *tools, "```", END])
+    return "\n".join([BEGIN, core(), "", "```text", *library, "", *tools, "```", END])
 
 
 def main():

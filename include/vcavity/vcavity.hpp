@@ -11,6 +11,7 @@
 // numbers/ knows no light: what the library computes with.
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
+#include "vcavity/numbers/short_list.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/pack.hpp"
@@ -38,13 +39,16 @@
 #include "vcavity/facet/energy_balance.hpp"
 #include "vcavity/facet/panel_facets.hpp"
 // groove/: what the groove makes of it, for one ray and for one direction.
+#include "vcavity/groove/multiples.hpp"
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/unfolding.hpp"
-#include "vcavity/groove/ray.hpp"
 #include "vcavity/groove/lit_opening.hpp"
+#include "vcavity/groove/follow.hpp"
 #include "vcavity/groove/narrow_groove.hpp"
+#include "vcavity/groove/unfoldable_groove.hpp"
 #include "vcavity/groove/lobes.hpp"
 #include "vcavity/groove/reflectance.hpp"
+#include "vcavity/groove/ray.hpp"
 #include "vcavity/groove/recorded_direction.hpp"
 #include "vcavity/groove/asymmetric_groove.hpp"
 // polarization/: light as a transverse wave.

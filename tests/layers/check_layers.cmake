@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Fails when a file includes one of a room above its own, or when a header of the library is not reachable from the
-# umbrella. Run as: cmake -DROOT=... -P check_layers.cmake
+# Fails when a file includes one of a room above its own, when a header of the library is not reachable from the
+# umbrella, or when the core no longer reads in one sitting. Run as: cmake -DROOT=... -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
 # From the ground up: a file uses only rooms named before its own, and its own.
 set(library_rooms numbers conventions.hpp facet groove polarization hemisphere profiles matte render rough plan)
 set(tool_rooms support materials colour images surfaces kernel maps cost commands main.cpp)
 
-set(failures 0)
+# The core, from a ray to the directional reflectance: no more lines than one reads in one sitting.
+set(core_headers groove/cavity.hpp groove/unfolding.hpp groove/lit_opening.hpp groove/lobes.hpp groove/reflectance.hpp)
+set(core_max_lines 600)
 
 # The floor of a path below the folder that holds the rooms; -1 if it is in no room.
 function(floor_of path rooms result)
@@ -64,3 +66,19 @@ foreach(file ${files})
     message(SEND_ERROR "vcavity/${file} is not reachable from vcavity.hpp")
   endif()
 endforeach()
+
+set(core_lines 0)
+foreach(file ${core_headers})
+  file(READ ${ROOT}/include/vcavity/${file} text)
+  # Lines are counted in what is left: a list of CMake has its own idea of semicolons and brackets.
+  string(REGEX REPLACE "[^\n]" "" text "${text}")
+  string(LENGTH "${text}" lines)
+  math(EXPR core_lines "${core_lines} + ${lines}")
+endforeach()
+if(core_lines GREATER core_max_lines)
+  message(SEND_ERROR "the core has ${core_lines} lines in ${core_headers}, more than the ${core_max_lines} of one sitting")
+endif()
+file(READ ${ROOT}/docs/structure.md page)
+if(NOT page MATCHES "in ${core_lines}[ \n]lines")
+  message(SEND_ERROR "docs/structure.md does not say that the core has ${core_lines} lines; run scripts/structure.py")
+endif()

@@ -76,7 +76,7 @@ TEMPLATE_LIST_TEST_CASE("of the multiples of half the aperture only those are ke
   for (const double aperture_deg : {180.0, 100.0, 60.0, 45.0, 30.0, 20.0, 1.0}) {
     const Cavity<Real> cavity(radians(Real(aperture_deg)));
     CAPTURE(aperture_deg);
-    CHECK(cavity.tabulated_multiples() == std::min(2 * cavity.max_bounces() + 1, 15));
+    CHECK(cavity.multiples().tabulated() == std::min(2 * cavity.max_bounces() + 1, 15));
     for (int k = 0; k <= 40; ++k) {
       const Real angle = Real(k) * (cavity.aperture() / Real(2));
       CHECK(cavity.multiple(k).sine == std::sin(angle));
@@ -99,10 +99,10 @@ TEMPLATE_LIST_TEST_CASE("a groove of given facets is that of their aperture, to 
       CAPTURE(i, length);
       CHECK(cavity.aperture() == Approx(expected.aperture()).epsilon(1e-5));
       CHECK(cavity.max_bounces() == expected.max_bounces());
-      CHECK(cavity.tabulated_multiples() == expected.tabulated_multiples());
+      CHECK(cavity.multiples().tabulated() == expected.multiples().tabulated());
       if (length != Real(1)) continue;
       CHECK(error_in_epsilons(cavity.versine_half(), Digits50(1 - cos(half))) < 8);
-      for (int k = 1; k <= cavity.tabulated_multiples(); ++k) {
+      for (int k = 1; k <= cavity.multiples().tabulated(); ++k) {
         const auto turn = cavity.multiple(k);
         worst = std::max({worst, error_in_epsilons(turn.sine, Digits50(sin(Digits50(k * half))), 1) / k,
                           error_in_epsilons(turn.cosine, Digits50(cos(Digits50(k * half))), 1) / k});

@@ -176,81 +176,39 @@ class AsymmetricOpening {
     return which == 0 ? larger : opposite(larger);
   }
 
-  /// The series f_j of one first panel.
-  class ReachedFractions {
-   public:
-    /// f_1: the fraction of the opening whose rays meet this panel first.
-    Real first() const { return first_; }
+  /// f_1: the fraction of the opening whose rays meet a panel first.
+  /// @param panel one of the first panels
+  Real first_met(Panel panel) const {
+    const Real rest = Real(1) - smaller_share_;
+    return panel == Panel::one ? select(one_is_larger_, rest, smaller_share_)
+                               : select(one_is_larger_, smaller_share_, rest);
+  }
 
-    /// f_j, where j is the bounce at which the ray is, at least 2.
-    /// @param before f_{j−1}, which f_j never exceeds
-    /// @param ray the ray at its present bounce
-    VCAVITY_INLINE Real at(const UnfoldedRay<Real>& ray, const Real& before) const {
-      const Real share =
-          select(opening_.both_, Real(length(ray) * ray.normal_component() * opening_.inverse_width_),
-                 beyond_shadow(ray));
-      return select(ray.normal_component() > Scalar(0), at_least(at_most(share, before), Scalar(0)), Real(0));
-    }
-
-    /// Whether all rays that meet this panel first surely bounce at an image too, at the cost of a comparison:
-    /// its rim lies farther out, by more than rounding.
-    bool all_reach(const UnfoldedRay<Real>& ray) const {
-      return all_of(Real(length(ray) * ray.normal_component()) > surely_reached_);
-    }
-
-    /// How often all of these rays surely bounce, as if all images were as short as the shorter panel.
-    /// @param first the ray at its first bounce
-    /// @param most no more than these matter
-    int bounces_of_all(const UnfoldedRay<Real>& first, int most) const {
-      const Scalar shorter =
-          std::min(opening_.groove_.length(Panel::one), opening_.groove_.length(Panel::two));
-      const Real size = std::hypot(first.normal_component(), first.tangent_component());
-      const Real least_sine = length(first) / shorter * (first.normal_component() / size);
-      if (!(least_sine < Real(1))) return 0;
-      const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
-      const Real least_angle = std::asin(least_sine);
-      if (first_angle + opening_.groove_.aperture() < least_angle) return 0;
-      const Real bounces = (pi<Real>() - least_angle - first_angle) / opening_.groove_.aperture() - Real(1);
-      return whole_at_most(bounces, most);
-    }
-
-   private:
-    friend class AsymmetricOpening;
-
-    ReachedFractions(const AsymmetricOpening& opening, const UnfoldedRay<Real>& first)
-        : opening_(opening),
-          surely_reached_(length(first) * (first.normal_component() +
-                                           Real(Scalar(16) * std::numeric_limits<Scalar>::epsilon()))) {
-      const Real rest = Real(1) - opening.smaller_share_;
-      first_ = first.panel() == Panel::one ? select(opening.one_is_larger_, rest, opening.smaller_share_)
-                                           : select(opening.one_is_larger_, opening.smaller_share_, rest);
-    }
-
-    const Scalar& length(const UnfoldedRay<Real>& ray) const { return opening_.groove_.length(ray.panel()); }
-
-    /// g_j where the other panel lies in the shadow of its rim.
-    Real beyond_shadow(const UnfoldedRay<Real>& ray) const {
-      const Cavity<Scalar>& cavity = opening_.groove_.bisected();
-      const int j = ray.number();
-      const bool is_even = j % 2 == 0;
-      const auto turn = cavity.multiple(is_even ? j - 1 : j);
-      const Scalar fan = Scalar(2) * length(ray) * cavity.multiple(is_even ? j : j - 1).sine;
-      const Scalar sine = ray.first_panel() == Panel::one ? turn.sine : Scalar(-turn.sine);
-      const Real away = turn.cosine * opening_.tilted_.z - sine * opening_.tilted_.y;
-      const Real beyond = fan * away * opening_.inverse_width_;
-      return is_even ? beyond : Real(Real(1) + beyond);
-    }
-
-    const AsymmetricOpening& opening_;
-    Real first_;
-    Real surely_reached_;  // a rim farther out than this
-  };
-
-  /// The series of the panel that a ray meets first.
-  /// @param first the ray at its first bounce
-  ReachedFractions reached(const UnfoldedRay<Real>& first) const { return {*this, first}; }
+  /// f_j, where j is the bounce at which the ray is, at least 2.
+  /// @param ray the ray at its present bounce
+  /// @param before f_{j−1}, which f_j never exceeds
+  VCAVITY_INLINE Real reached(const UnfoldedRay<Real>& ray, const Real& before) const {
+    const Real share =
+        select(both_, Real(length(ray) * ray.normal_component() * inverse_width_), beyond_shadow(ray));
+    return select(ray.normal_component() > Scalar(0), at_least(at_most(share, before), Scalar(0)), Real(0));
+  }
 
  private:
+  const Scalar& length(const UnfoldedRay<Real>& ray) const { return groove_.length(ray.panel()); }
+
+  /// g_j where the other panel lies in the shadow of its rim.
+  Real beyond_shadow(const UnfoldedRay<Real>& ray) const {
+    const Cavity<Scalar>& cavity = groove_.bisected();
+    const int j = ray.number();
+    const bool is_even = j % 2 == 0;
+    const auto turn = cavity.multiple(is_even ? j - 1 : j);
+    const Scalar fan = Scalar(2) * length(ray) * cavity.multiple(is_even ? j : j - 1).sine;
+    const Scalar sine = ray.first_panel() == Panel::one ? turn.sine : Scalar(-turn.sine);
+    const Real away = turn.cosine * tilted_.z - sine * tilted_.y;
+    const Real beyond = fan * away * inverse_width_;
+    return is_even ? beyond : Real(Real(1) + beyond);
+  }
+
   /// The least e.z: smaller ones count as this one.
   static Scalar least_up(const AsymmetricGroove<Scalar>& groove) {
     return smallest_divisor<Scalar>() / at_most(groove.opening(), Scalar(1));
@@ -264,6 +222,58 @@ class AsymmetricOpening {
   mask_t<Real> both_;           // set where light reaches both panels directly
   Real smaller_share_;          // fraction of the opening whose rays meet the less lit panel first
 };
+
+/// Until where all rays that meet the same panel first bounce together; members as in `SharedBounces`.
+/// @tparam Real number type of a component, or a `Pack` of them
+template <class Real>
+class AsymmetricSharedBounces {
+ public:
+  using Scalar = scalar_t<Real>;
+
+  /// @param groove must outlive this
+  /// @param first the ray at its first bounce
+  VCAVITY_INLINE AsymmetricSharedBounces(const AsymmetricGroove<Scalar>& groove,
+                                         const UnfoldedRay<Real>& first)
+      : groove_(groove),
+        surely_reached_(
+            groove.length(first.panel()) *
+            (first.normal_component() + Real(Scalar(16) * std::numeric_limits<Scalar>::epsilon()))) {}
+
+  /// Whether all rays surely bounce at an image too, at the cost of a comparison: its rim lies farther out, by more
+  /// than rounding.
+  /// @param ray at that image
+  bool include(const UnfoldedRay<Real>& ray) const {
+    return all_of(Real(groove_.length(ray.panel()) * ray.normal_component()) > surely_reached_);
+  }
+
+  /// How often all of these rays surely bounce, as if all images were as short as the shorter panel.
+  /// @param first the ray at its first bounce
+  /// @param most no more than these matter
+  int count(const UnfoldedRay<Real>& first, int most) const {
+    const Scalar shorter = std::min(groove_.length(Panel::one), groove_.length(Panel::two));
+    const Real size = std::hypot(first.normal_component(), first.tangent_component());
+    const Real least_sine = groove_.length(first.panel()) / shorter * (first.normal_component() / size);
+    if (!(least_sine < Real(1))) return 0;
+    const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
+    const Real least_angle = std::asin(least_sine);
+    if (first_angle + groove_.aperture() < least_angle) return 0;
+    const Real bounces = (pi<Real>() - least_angle - first_angle) / groove_.aperture() - Real(1);
+    return whole_at_most(bounces, most);
+  }
+
+ private:
+  const AsymmetricGroove<Scalar>& groove_;
+  Real surely_reached_;  // a rim farther out than this
+};
+
+/// Until where all rays that meet the same panel first bounce together.
+/// @param groove must outlive the result
+/// @param first the ray at its first bounce
+template <class Scalar, class Real>
+VCAVITY_INLINE AsymmetricSharedBounces<Real> shared_bounces(const AsymmetricGroove<Scalar>& groove,
+                                                            const UnfoldedRay<Real>& first) {
+  return AsymmetricSharedBounces<Real>(groove, first);
+}
 
 /// The opening of an asymmetric groove in the light of a direction.
 /// @param groove must outlive the opening
@@ -305,18 +315,17 @@ RayPath ray_path(const AsymmetricGroove<Real>& groove, const Vec3<Real>& e, cons
   const AsymmetricOpening<Real> opening(groove, e);
   const Real from_one = (Real(1) + position) / Real(2);
   const Real from_two = (Real(1) - position) / Real(2);
-  const Real share_one = opening.reached(unfold(groove, opening.direction(), Panel::one)).first();
-  const Real share_two = opening.reached(unfold(groove, opening.direction(), Panel::two)).first();
+  const Real share_one = opening.first_met(Panel::one);
+  const Real share_two = opening.first_met(Panel::two);
   const Panel first = from_one < share_one ? Panel::one : Panel::two;
   // The fraction of the opening between the ray and the first one that meets this panel first.
   const Real inside = first == Panel::one ? Real(share_one - from_one) : Real(share_two - from_two);
   UnfoldedRay<Real> ray = unfold(groove, opening.direction(), first);
-  const auto fractions = opening.reached(ray);
-  Real reached = fractions.first();
+  Real reached = opening.first_met(first);
   while (ray.number() < groove.max_bounces()) {
     UnfoldedRay<Real> next = ray;
     next.advance();
-    reached = fractions.at(next, reached);
+    reached = opening.reached(next, reached);
     if (!(inside < reached)) break;
     ray = next;
   }

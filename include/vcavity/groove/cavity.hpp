@@ -3,14 +3,14 @@
 
 /// The cavity: a groove between two plane mirrors of unit width, known by its aperture alone.
 
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
 
 #include "vcavity/conventions.hpp"
-#include "vcavity/facet/facet.hpp"
+#include "vcavity/groove/multiples.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
@@ -23,6 +23,7 @@ template <class Real>
 class Cavity {
  public:
   using value_type = Real;
+  using Rotation = vcavity::Rotation<Real>;
 
   /// The largest number of lobes of any direction.
   static constexpr std::size_t max_lobes = 4;
@@ -33,26 +34,7 @@ class Cavity {
   /// @param aperture the angle between the panels in [`smallest_aperture`, π]; π is a flat surface, and so is what
   ///          rounding (4 ε) has lifted above it
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
-  explicit Cavity(const Real& aperture) : aperture_(at_most(aperture, pi<Real>())) {
-    const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
-    if (!(aperture >= smallest_aperture() && aperture <= pi<Real>() * (Real(1) + rounding))) {
-      std::ostringstream message;
-      message << "the aperture of a groove must lie in [" << smallest_aperture() << ", π] radians, not "
-              << aperture;
-      throw_invalid_argument(message.str());
-    }
-    using std::cos;
-    using std::sin;
-    sin_half_ = sin(aperture_ / Real(2));
-    inverse_sin_half_ = Real(1) / sin_half_;
-    const Real sin_quarter = sin(aperture_ / Real(4));
-    versine_half_ = Real(2) * sin_quarter * sin_quarter;
-    // The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
-    cos_half_ = cos(aperture_ / Real(2));
-    if (cos_half_ < Real(0)) cos_half_ = Real(0);
-    max_bounces_ = bounces_at(aperture_);
-    fill_multiples();
-  }
+  explicit Cavity(const Real& aperture) : Cavity(checked(aperture), FromAperture()) {}
 
   /// The groove of given facets, for a renderer that makes one for every point it shades: no trigonometric
   /// function is evaluated, unless the aperture is less than 26° or asked for. Multiples of α/2 follow from
@@ -65,7 +47,7 @@ class Cavity {
   static Cavity from_normal(const Real& across, const Real& up) {
     using std::sqrt;
     const Real length = sqrt(across * across + up * up);
-    return Cavity(magnitude(across) / length, up / length, FromNormal());
+    return Cavity(checked(Rotation{magnitude(across) / length, up / length}));
   }
 
   /// The same from the slope of the facets, the tangent of their angle to the mean surface.
@@ -74,16 +56,13 @@ class Cavity {
   static Cavity from_slope(const Real& slope) { return from_normal(slope, Real(1)); }
 
   /// The angle α between the panels.
-  Real aperture() const {
-    using std::atan2;
-    return aperture_ > Real(0) ? aperture_ : Real(Real(2) * atan2(sin_half_, cos_half_));
-  }
+  Real aperture() const { return multiples_.aperture(); }
 
   /// sin(α/2), half the width of the opening.
-  Real sin_half() const { return sin_half_; }
+  Real sin_half() const { return multiples_[1].sine; }
 
   /// cos(α/2), the depth of the groove.
-  Real cos_half() const { return cos_half_; }
+  Real cos_half() const { return multiples_[1].cosine; }
 
   /// 1/sin(α/2)
   Real inverse_sin_half() const { return inverse_sin_half_; }
@@ -91,47 +70,28 @@ class Cavity {
   /// The area of the panels per area of the opening; under diffuse light the mean number of bounces.
   Real developed_area() const { return inverse_sin_half_; }
 
+  /// 1 − cos(α/2), with all its digits when α is small
+  Real versine_half() const { return versine_half_; }
+
   /// The least e.z of a direction, so small that it changes no result, and so large that inverses are finite.
   /// Smaller ones count as this one; so light along the groove, e.y = e.z = 0, comes from straight above as far
   /// as the plane across the groove is concerned (θ' = 0).
   Real least_up() const { return smallest_divisor<Real>() * inverse_sin_half_; }
 
-  /// 1 − cos(α/2), with all its digits when α is small
-  Real versine_half() const { return versine_half_; }
-
-  /// Cosine and sine of an angle.
-  struct Rotation {
-    Real cosine;
-    Real sine;
-  };
-
-  /// The largest number of multiples of α/2 whose cosines and sines are kept: all that are ever needed for
-  /// apertures of 26° and more.
-  static constexpr int most_multiples = 15;
-
-  /// The number of those that are kept here: no more than the bounces need.
-  int tabulated_multiples() const { return tabulated_; }
-
-  /// Cosine and sine of kα/2, for k in [0, tabulated_multiples()].
-  const Rotation& tabulated(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
-
   /// Cosine and sine of kα/2, for any k ≥ 0.
-  VCAVITY_INLINE Rotation multiple(std::int64_t k) const {
-    if (k <= tabulated_) return tabulated(k);
-    using std::cos;
-    using std::sin;
-    const Real angle = Real(k) * (aperture() / Real(2));
-    return {cos(angle), sin(angle)};
-  }
+  VCAVITY_INLINE Rotation multiple(std::int64_t k) const { return multiples_.at(k); }
+
+  /// Those of the multiples that the bounces need.
+  const HalfApertureMultiples<Real>& multiples() const { return multiples_; }
 
   /// The normal of a panel, pointing into the groove (Eq. 5).
   Vec3<Real> normal(Panel panel) const {
-    return {Real(0), panel == Panel::one ? cos_half_ : Real(-cos_half_), sin_half_};
+    return {Real(0), panel == Panel::one ? cos_half() : Real(-cos_half()), sin_half()};
   }
 
   /// The unit vector along a panel, from the apex to the rim.
   Vec3<Real> tangent(Panel panel) const {
-    return {Real(0), panel == Panel::one ? Real(-sin_half_) : sin_half_, cos_half_};
+    return {Real(0), panel == Panel::one ? Real(-sin_half()) : sin_half(), cos_half()};
   }
 
   /// The largest number of bounces of any ray, ⌈π/α⌉. An aperture within rounding (4 ε) of π/k counts as π/k:
@@ -140,24 +100,54 @@ class Cavity {
   int max_bounces() const { return max_bounces_; }
 
  private:
-  struct FromNormal {};
+  struct FromAperture {};
 
-  Cavity(const Real& cos_half, const Real& sin_half, FromNormal)
-      : aperture_(0), sin_half_(sin_half), cos_half_(cos_half) {
-    if (!(sin_half > smallest_aperture() / Real(2) && cos_half >= Real(0))) {
+  Cavity(const Real& aperture, FromAperture)
+      : max_bounces_(bounces_at(aperture)), multiples_(aperture, half_of(aperture), max_bounces_) {
+    using std::sin;
+    inverse_sin_half_ = Real(1) / sin_half();
+    const Real sin_quarter = sin(aperture / Real(4));
+    versine_half_ = Real(2) * sin_quarter * sin_quarter;
+  }
+
+  explicit Cavity(const Rotation& half)
+      : inverse_sin_half_(Real(1) / half.sine),
+        versine_half_(half.sine * half.sine / (Real(1) + half.cosine)),
+        multiples_(half) {
+    max_bounces_ = multiples_.max_bounces();
+    if (max_bounces_ > 0) return;
+    // Too narrow for sums of angles.
+    const Real aperture = multiples_.aperture();
+    max_bounces_ = bounces_at(aperture);
+    multiples_ = {aperture, half, max_bounces_};
+  }
+
+  static Real checked(const Real& aperture) {
+    const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
+    if (!(aperture >= smallest_aperture() && aperture <= pi<Real>() * (Real(1) + rounding))) {
       std::ostringstream message;
-      message << "the facets of a groove must be less steep than vertical, not of a normal (" << cos_half
-              << " across, " << sin_half << " up)";
+      message << "the aperture of a groove must lie in [" << smallest_aperture() << ", π] radians, not "
+              << aperture;
       throw_invalid_argument(message.str());
     }
-    inverse_sin_half_ = Real(1) / sin_half_;
-    versine_half_ = sin_half_ * sin_half_ / (Real(1) + cos_half_);
-    if (!add_multiples()) {
-      // Too narrow for the table.
-      aperture_ = aperture();
-      max_bounces_ = bounces_at(aperture_);
-      fill_multiples();
+    return at_most(aperture, pi<Real>());
+  }
+
+  static const Rotation& checked(const Rotation& half) {
+    if (!(half.sine > smallest_aperture() / Real(2) && half.cosine >= Real(0))) {
+      std::ostringstream message;
+      message << "the facets of a groove must be less steep than vertical, not of a normal (" << half.cosine
+              << " across, " << half.sine << " up)";
+      throw_invalid_argument(message.str());
     }
+    return half;
+  }
+
+  /// The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
+  static Rotation half_of(const Real& aperture) {
+    using std::cos;
+    using std::sin;
+    return {at_least(Real(cos(aperture / Real(2))), Real(0)), sin(aperture / Real(2))};
   }
 
   static int bounces_at(const Real& aperture) {
@@ -169,57 +159,10 @@ class Cavity {
     return count < Real(1) ? 1 : static_cast<int>(count);
   }
 
-  /// The ray behind the last bounce is at image max_bounces + 1, at an odd multiple.
-  static int needed_multiples(int bounces) {
-    return bounces < most_multiples / 2 ? 2 * bounces + 1 : most_multiples;
-  }
-
-  void begin_multiples() {
-    multiples_[0] = {Real(1), Real(0)};
-    multiples_[1] = {cos_half_, sin_half_};
-  }
-
-  void fill_multiples() {
-    using std::cos;
-    using std::sin;
-    begin_multiples();
-    tabulated_ = needed_multiples(max_bounces_);
-    for (int k = 2; k <= tabulated_; ++k) {
-      const Real angle = Real(k) * (aperture_ / Real(2));
-      multiples_[static_cast<std::size_t>(k)] = {cos(angle), sin(angle)};
-    }
-  }
-
-  /// The same by the addition theorem, and the largest number of bounces, the first m with mα ≥ π.
-  /// @return whether the table has room for all multiples that are needed
-  bool add_multiples() {
-    begin_multiples();
-    const auto add = [this](std::size_t i, std::size_t j) {
-      const Rotation &a = multiples_[i], &b = multiples_[j];
-      multiples_[i + j] = {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
-    };
-    constexpr int most = most_multiples / 2;
-    for (max_bounces_ = 1; max_bounces_ <= most; ++max_bounces_) {
-      const auto m = static_cast<std::size_t>(max_bounces_);
-      add(m, m);
-      add(m, m + 1);
-      // An aperture within rounding of π/m counts as π/m, here as in `bounces_at`.
-      const Real rounding = Real(4 * (3 + max_bounces_)) * std::numeric_limits<Real>::epsilon();
-      const Rotation& turn = multiples_[2 * m];
-      if (turn.sine < Real(0) || (turn.sine <= rounding && turn.cosine < Real(0))) break;
-    }
-    tabulated_ = 2 * max_bounces_ + 1;
-    return max_bounces_ <= most;
-  }
-
-  Real aperture_;  // 0 where it has not been asked for
-  Real sin_half_;
-  Real cos_half_;
   Real inverse_sin_half_;
   Real versine_half_;
   int max_bounces_;
-  int tabulated_;
-  std::array<Rotation, most_multiples + 1> multiples_{};  // 0 behind those that are needed
+  HalfApertureMultiples<Real> multiples_;
 };
 
 }  // namespace vcavity

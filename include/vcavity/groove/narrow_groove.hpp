@@ -15,9 +15,11 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
+#include "vcavity/groove/follow.hpp"
 #include "vcavity/groove/unfolding.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
@@ -34,50 +36,6 @@ inline constexpr int long_series = 16;
 /// From this number of bounces on it may pay to do many at once.
 inline constexpr int narrow_groove = 200;
 
-/// Where light goes on bounce by bounce.
-template <class Real, class Value>
-struct Continuation {
-  UnfoldedRay<Real> ray;  ///< at the next bounce
-  Value throughput;       ///< of the bounces before
-};
-
-/// Does many bounces at once, all of which reach every ray of the first panel. Does nothing where that does not
-/// pay, or the facet is no function of the cosine with positive numbers for values.
-/// @param facet facet reflectance
-/// @param ray at its first bounce
-/// @param fractions the series of its first panel, see `LitOpening`
-/// @param aperture of the groove
-/// @param max_bounces none beyond these is done
-template <class Value, class Real, class Facet, class Fractions>
-VCAVITY_NOINLINE Continuation<Real, Value> reflect_many(const Facet& facet, UnfoldedRay<Real> ray,
-                                                        const Fractions& fractions,
-                                                        const scalar_t<Real>& aperture, int max_bounces) {
-  Value throughput(1);
-  if constexpr (std::is_floating_point_v<Real> && std::is_floating_point_v<Value> &&
-                std::invocable<const Facet&, const Real&>) {
-    constexpr int least_log2 = 7;  // shorter series are done bounce by bounce
-    const Real first_angle = std::atan2(ray.normal_component(), ray.tangent_component());
-    const Real size = std::hypot(ray.normal_component(), ray.tangent_component());
-    int left = std::min(max_bounces, fractions.bounces_of_all(ray, max_bounces)) - 1;
-    const auto log_reflectance = [&](const Real& index) {
-      const Value reflectance = facet(size * std::sin(first_angle + (index - Real(1)) * aperture));
-      return static_cast<Real>(std::log(at_least(reflectance, std::numeric_limits<Value>::min())));
-    };
-    int log2 = 28;
-    while (left >= 1 << least_log2) {
-      while (1 << log2 > left) --log2;
-      const int count = 1 << log2;
-      const auto sum = progression_sum<Real>(log_reflectance, ray.number(), log2,
-                                             Real(3 * count) * std::numeric_limits<Real>::epsilon());
-      if (!sum) break;
-      throughput *= static_cast<Value>(std::exp(*sum));
-      ray.advance(count);
-      left -= count;
-    }
-  }
-  return {ray, throughput};
-}
-
 /// Whether nothing is left of a throughput. That shows in long series only, and is looked for now and then.
 /// @param throughput of the bounces before
 /// @param bounce number of the next one
@@ -93,5 +51,172 @@ inline constexpr bool cheaper_than_branch = Number<Value>;
 
 template <class Real, std::size_t size, std::size_t bytes>
 inline constexpr bool cheaper_than_branch<Pack<Real, size, bytes>> = true;
+
+/// Until where all rays of a direction that meet the same panel first bounce together.
+/// @tparam Real number type of a component, or a `Pack` of them
+template <class Real>
+class SharedBounces {
+ public:
+  /// @param cavity must outlive this
+  /// @param first the ray at its first bounce
+  VCAVITY_INLINE SharedBounces(const Cavity<scalar_t<Real>>& cavity, const UnfoldedRay<Real>& first)
+      : cavity_(cavity),
+        surely_reached_(first.normal_component() +
+                        Real(scalar_t<Real>(16) * std::numeric_limits<scalar_t<Real>>::epsilon())) {}
+
+  /// Whether all rays surely bounce at an image too, at the cost of a comparison: c_j > c_1, by more than
+  /// rounding, which is up to 8 ε in each (docs/accuracy.md).
+  /// @param ray at that image
+  bool include(const UnfoldedRay<Real>& ray) const {
+    return all_of(ray.normal_component() > surely_reached_);
+  }
+
+  /// How often all rays surely bounce: until the angle has passed a right one and is as far beyond it as it began
+  /// before it.
+  /// @param first the ray at its first bounce
+  /// @param most no more than these matter
+  int count(const UnfoldedRay<Real>& first, int most) const {
+    const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
+    const Real bounces = (pi<Real>() - Real(2) * first_angle) / cavity_.aperture() - Real(1);
+    return whole_at_most(bounces, most);
+  }
+
+ private:
+  const Cavity<scalar_t<Real>>& cavity_;
+  Real surely_reached_;  // a normal component above this
+};
+
+/// Until where all rays bounce together. Grooves of other shapes overload this.
+/// @param groove must outlive the result
+/// @param first the ray at its first bounce
+template <class Scalar, class Real>
+VCAVITY_INLINE SharedBounces<Real> shared_bounces(const Cavity<Scalar>& groove,
+                                                  const UnfoldedRay<Real>& first) {
+  return SharedBounces<Real>(groove, first);
+}
+
+/// Where light goes on bounce by bounce.
+template <class Real, class Value>
+struct Continuation {
+  UnfoldedRay<Real> ray;  ///< at the next bounce
+  Value throughput;       ///< of the bounces before
+};
+
+/// Facets of which many bounces can be done at once: functions of the cosine with numbers for values.
+template <class Facet, class Real>
+concept ManyAtOnce = std::floating_point<Real> && std::floating_point<value_t<Facet, Real>> &&
+                     std::invocable<const Facet&, const Real&>;
+
+/// Does many bounces at once, all of which reach every ray of the first panel. Does nothing where that does not
+/// pay, or the reflectance is not positive.
+/// @param facet facet reflectance
+/// @param ray at its first bounce
+/// @param shared bounces of its first panel
+/// @param aperture of the groove
+/// @param max_bounces none beyond these is done
+template <class Real, ManyAtOnce<Real> Facet, class Shared>
+VCAVITY_NOINLINE Continuation<Real, value_t<Facet, Real>> reflect_many(
+    const Facet& facet, UnfoldedRay<Real> ray, const Shared& shared, const Real& aperture, int max_bounces) {
+  using Value = value_t<Facet, Real>;
+  constexpr int least_log2 = 7;  // shorter series are done bounce by bounce
+  const Real first_angle = std::atan2(ray.normal_component(), ray.tangent_component());
+  const Real size = std::hypot(ray.normal_component(), ray.tangent_component());
+  int left = std::min(max_bounces, shared.count(ray, max_bounces)) - 1;
+  const auto log_reflectance = [&](const Real& index) {
+    const Value reflectance = facet(size * std::sin(first_angle + (index - Real(1)) * aperture));
+    return static_cast<Real>(std::log(at_least(reflectance, std::numeric_limits<Value>::min())));
+  };
+  Value throughput(1);
+  int log2 = 28;
+  while (left >= 1 << least_log2) {
+    while (1 << log2 > left) --log2;
+    const int count = 1 << log2;
+    const auto sum = progression_sum<Real>(log_reflectance, ray.number(), log2,
+                                           Real(3 * count) * std::numeric_limits<Real>::epsilon());
+    if (!sum) break;
+    throughput *= static_cast<Value>(std::exp(*sum));
+    ray.advance(count);
+    left -= count;
+  }
+  return {ray, throughput};
+}
+
+/// The value of a facet for the bounce at which a ray is; of which a function of the cosine need not know all.
+/// @param facet facet reflectance
+/// @param ray the ray at its present bounce
+template <class Real, FacetReflectance<Real> Facet>
+VCAVITY_INLINE value_t<Facet, Real> reflect(const Facet& facet, const UnfoldedRay<Real>& ray) {
+  if constexpr (std::invocable<const Facet&, const Real&>) {
+    return facet(ray.cosine());
+  } else {
+    return facet(ray.bounce());
+  }
+}
+
+/// How light of one direction and first panel bounces: once, or as often as all of it does.
+///
+/// The ray and its throughput stay with the caller, in registers; as members compilers keep them in memory.
+template <class Groove, class Real, class Facet>
+class BouncesTogether {
+ public:
+  using Value = value_t<Facet, Real>;
+
+  /// @param groove,facet must outlive this
+  /// @param first the ray at its first bounce
+  /// @param max_bounces after so many it is followed no further
+  /// @param dark_light what becomes of light of which nothing is left
+  VCAVITY_INLINE BouncesTogether(const Groove& groove, const Facet& facet, const UnfoldedRay<Real>& first,
+                                 int max_bounces, DarkLight dark_light)
+      : groove_(groove),
+        facet_(facet),
+        shared_(shared_bounces(groove, first)),
+        most_(max_bounces),
+        is_long_(groove.max_bounces() >= long_series),
+        dark_light_(dark_light) {}
+
+  /// In narrow grooves, does most of the bounces that all of the light makes, at once.
+  /// @param ray at its first bounce; at the next one that has not been done afterwards
+  /// @param throughput of the bounces before
+  VCAVITY_INLINE void begin(UnfoldedRay<Real>& ray, Value& throughput) const {
+    if constexpr (ManyAtOnce<Facet, Real>) {
+      if (most_ < narrow_groove) return;
+      // By reference, `shared_` would have to stand in memory.
+      const auto rest = reflect_many(facet_, ray, shared_bounces(groove_, ray), groove_.aperture(), most_);
+      ray = rest.ray;
+      throughput = rest.throughput;
+    }
+  }
+
+  /// Does the next bounce, and with it those after which no light leaves.
+  /// @param last the ray at this bounce; at the last one that was done afterwards
+  /// @param ray the same; at the image behind that afterwards
+  /// @param throughput of the bounces before; and of these afterwards
+  /// @return whether some of the light may bounce there
+  VCAVITY_INLINE bool operator()(UnfoldedRay<Real>& last, UnfoldedRay<Real>& ray, Value& throughput) const {
+    for (;;) {
+      if (!is_dark(throughput, ray.number())) {
+        const Value reflected = reflect(facet_, ray);
+        if (!cheaper_than_branch<Value> && ray.number() == 1)
+          throughput = reflected;
+        else
+          throughput = throughput * reflected;
+      } else if (dark_light_ == DarkLight::merged) {
+        return false;
+      }
+      ray.advance();
+      if (!(last.number() < most_ && is_long_ && shared_.include(ray))) break;
+      last = ray;
+    }
+    return last.number() < groove_.max_bounces();
+  }
+
+ private:
+  const Groove& groove_;
+  const Facet& facet_;
+  decltype(shared_bounces(std::declval<const Groove&>(), std::declval<const UnfoldedRay<Real>&>())) shared_;
+  int most_;
+  bool is_long_;
+  DarkLight dark_light_;
+};
 
 }  // namespace vcavity

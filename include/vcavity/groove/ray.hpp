@@ -11,6 +11,7 @@
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/groove/cavity.hpp"
+#include "vcavity/groove/unfoldable_groove.hpp"
 #include "vcavity/groove/unfolding.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"

@@ -19,12 +19,10 @@ namespace detail {
 template <class Sum, class Groove, class Real, class Facet, class Measure>
 VCAVITY_INLINE Sum sum_over_lobes(const Groove& groove, const Vec3<Real>& e, const Facet& facet,
                                   const Measure& measure, const Follow& follow) {
-  using Value = value_t<Facet, Real>;
   Sum sum(0);
   for_each_lobe(groove, e, facet,
-                [&](const UnfoldedRay<Real>&, const Real& weight, const Value& throughput) {
-                  if (cheaper_than_branch<Value> || any_of(weight > scalar_t<Real>(0)))
-                    sum = sum + scaled(weight, measure(throughput));
+                [&](const UnfoldedRay<Real>&, const Real& weight, const value_t<Facet, Real>& throughput) {
+                  sum = sum + scaled(weight, measure(throughput));
                 },
                 {follow.max_bounces, DarkLight::merged, follow.first_panel});
   return sum;
