@@ -2,10 +2,10 @@
 /// What the symmetric groove of one bare material costs: a program that compiles with this version of the library and with
 /// versions before it, to compare them.
 ///
-///     git archive 58d3728 include | tar -x -C /tmp/before
-///     g++ -std=c++20 -O3 -fno-math-errno -I /tmp/before/include bench/symmetric_cost.cpp -o before
-///     g++ -std=c++20 -O3 -fno-math-errno -I include bench/symmetric_cost.cpp -o now
-///     ./before && ./now
+///     mkdir before && git archive 58d3728 include | tar -x -C before
+///     g++ -std=c++20 -O3 -fno-math-errno -I before/include bench/symmetric_cost.cpp -o before/cost
+///     g++ -std=c++20 -O3 -fno-math-errno -I include bench/symmetric_cost.cpp -o cost
+///     before/cost && ./cost
 
 #include <algorithm>
 #include <cstdio>

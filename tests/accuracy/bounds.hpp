@@ -21,12 +21,19 @@ inline constexpr double direction_bound = 8;
 /// Of the weight of a lobe, as a fraction of the opening.
 inline constexpr double weight_bound = 16;
 
+/// The same between unequal panels, where the opening may be much narrower than a panel is long.
+inline constexpr double unequal_weight_bound = 64;
+
+/// The same over a floor. All is measured from where the walls would meet, far below a wide floor between steep walls.
+inline constexpr double floor_weight_bound = 1024;
+
 /// Of the sum of the weights.
 inline constexpr double sum_bound = 4;
 
 /// Of reflectance and absorptance after `bounces` reflections: one facet after the other adds its own.
-inline double product_bound(int bounces) {
-  return 16 + 8 * bounces;
+/// @param weight bound of the weights
+inline double product_bound(int bounces, double weight = weight_bound) {
+  return weight + 8 * bounces;
 }
 
 /// The same of powers that are made from amplitudes, whose relative error counts twice.

@@ -25,6 +25,10 @@ std::vector<Subject<Real>> groove_subjects();
 template <class Real>
 std::vector<Subject<Real>> ray_subjects();
 
+/// Weights, reflectance and absorptance of grooves with unequal panels, floors and land.
+template <class Real>
+std::vector<Subject<Real>> profile_subjects();
+
 /// What the groove makes of polarised light.
 template <class Real>
 std::vector<Subject<Real>> polarization_subjects();
@@ -37,8 +41,9 @@ std::vector<Subject<Real>> surface_subjects();
 template <class Real>
 std::vector<Subject<Real>> all_subjects() {
   std::vector<Subject<Real>> all;
-  for (auto* subjects : {fresnel_subjects<Real>, coated_subjects<Real>, groove_subjects<Real>,
-                         ray_subjects<Real>, polarization_subjects<Real>, surface_subjects<Real>})
+  for (auto* subjects :
+       {fresnel_subjects<Real>, coated_subjects<Real>, groove_subjects<Real>, ray_subjects<Real>,
+        profile_subjects<Real>, polarization_subjects<Real>, surface_subjects<Real>})
     for (Subject<Real>& subject : subjects()) all.push_back(std::move(subject));
   return all;
 }

@@ -74,18 +74,18 @@ class Trench {
     const Panel facing = e.y < Real(0) ? Panel::two : Panel::one;
     const Bounce<Real> down{sideways, e.z, e.x, Panel::one, 1}, up{sideways, -e.z, e.x, Panel::one, 1};
 
-    // Rays enter at a fraction of the opening, counted against the way of the light, beyond which they meet one more
-    // wall before the floor, or in all.
+    // Rays within a fraction of the opening, counted along the way of the light, meet one more wall before the floor, or
+    // in all. So the weights of few rays keep their digits.
     const Real half = way / Real(2);
     const Real before = floor(half), in_all = floor(way);
-    const Real more_before = Real(1) - (half - before), more_in_all = Real(1) - (way - in_all);
-    std::array<Real, 4> ends{Real(0), std::min(more_before, more_in_all), std::max(more_before, more_in_all),
-                             Real(1)};
+    const Real more_before = half - before, more_in_all = way - in_all;
+    const std::array<Real, 4> ends{Real(1), std::max(more_before, more_in_all),
+                                   std::min(more_before, more_in_all), Real(0)};
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const Real weight = ends[i + 1] - ends[i];
+      const Real weight = ends[i] - ends[i + 1];
       if (!(weight > Real(0))) continue;
-      const int walls = static_cast<int>(before) + (ends[i] >= more_before ? 1 : 0);
-      const int all_walls = static_cast<int>(in_all) + (ends[i] >= more_in_all ? 1 : 0);
+      const int walls = static_cast<int>(before) + (ends[i] <= more_before ? 1 : 0);
+      const int all_walls = static_cast<int>(in_all) + (ends[i] <= more_in_all ? 1 : 0);
       FacePath path{facing, walls, true, walls % 2 == 0 ? facing : opposite(facing), all_walls - walls,
                     false};
       if (path.bounces() > max_bounces) continue;
@@ -96,7 +96,7 @@ class Trench {
       if (path.walls_after_floor > 0)
         throughput =
             throughput * alternating<Value>(facets, path.first_wall_after_floor, path.walls_after_floor, up);
-      const Real start = facing == Panel::two ? ends[i] : Real(Real(1) - ends[i + 1]);
+      const Real start = facing == Panel::two ? Real(Real(1) - ends[i]) : ends[i + 1];
       visit(FacePencil<Real>{path, start, weight, {-e.x, all_walls % 2 == 0 ? Real(-e.y) : e.y, e.z}},
             throughput);
     }
