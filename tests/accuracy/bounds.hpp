@@ -44,4 +44,7 @@ inline double squared_product_bound(int bounces) {
 /// Of the projection of the hemisphere on a disc, and back.
 inline constexpr double projection_bound = 4;
 
+/// Of H, reflectances and BRDF of matte grooves.
+inline constexpr double matte_bound = 16;
+
 }  // namespace vcavity::test
