@@ -109,46 +109,31 @@ class Cavity<vgroove::Lanes<Array>> {
  public:
   using Real = vgroove::Lanes<Array>;
   using value_type = Real;
+  using Rotation = vcavity::Rotation<Real>;
   static constexpr std::size_t max_lobes = 4;
-  static constexpr int most_multiples = 15;
-
-  /// Cosines and sines of an angle.
-  struct Rotation {
-    Real cosine;
-    Real sine;
-  };
 
   /// @param aperture in radians, in (0, π]
   /// @param max_bounces of the narrowest groove: so many are followed in all
-  Cavity(const Real& aperture, int max_bounces) : aperture_(aperture), max_bounces_(max_bounces) {
-    const auto [sine, cosine] = drjit::sincos(0.5f * aperture.array);
-    multiples_[0] = {Real(1), Real(0)};
-    multiples_[1] = {at_least(Real(cosine), Real(0)), Real(sine)};
-    // By the addition theorem, from halves: few roundings, and one pair of trigonometric functions.
-    const int needed = 2 * max_bounces + 1 < most_multiples ? 2 * max_bounces + 1 : most_multiples;
-    for (std::size_t k = 2; k <= static_cast<std::size_t>(needed); ++k) {
-      const Rotation &a = multiples_[k / 2], &b = multiples_[k - k / 2];
-      multiples_[k] = {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
-    }
-  }
+  Cavity(const Real& aperture, int max_bounces)
+      : max_bounces_(max_bounces), multiples_(aperture, half_of(aperture), max_bounces) {}
 
-  Real aperture() const { return aperture_; }
+  Real aperture() const { return multiples_.aperture(); }
   Real sin_half() const { return multiples_[1].sine; }
   Real cos_half() const { return multiples_[1].cosine; }
   Real inverse_sin_half() const { return Real(1) / sin_half(); }
   Real least_up() const { return smallest_divisor<Real>() * inverse_sin_half(); }
+  Rotation multiple(std::int64_t k) const { return multiples_.at(k); }
+  const HalfApertureMultiples<Real>& multiples() const { return multiples_; }
   int max_bounces() const { return max_bounces_; }
-  const Rotation& tabulated(std::int64_t k) const { return multiples_[static_cast<std::size_t>(k)]; }
-  Rotation multiple(std::int64_t k) const {
-    if (k <= most_multiples) return tabulated(k);
-    const auto [sine, cosine] = drjit::sincos((0.5f * static_cast<float>(k)) * aperture_.array);
-    return {Real(cosine), Real(sine)};
-  }
 
  private:
-  Real aperture_;
+  static Rotation half_of(const Real& aperture) {
+    const Real half = Real(0.5f) * aperture;
+    return {at_least(cos(half), Real(0)), sin(half)};
+  }
+
   int max_bounces_;
-  std::array<Rotation, most_multiples + 1> multiples_;
+  HalfApertureMultiples<Real> multiples_;
 };
 
 /// Multiplying by 1 is all there is.

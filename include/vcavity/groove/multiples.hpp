@@ -70,8 +70,12 @@ class HalfApertureMultiples {
 
   /// The angle α.
   Real aperture() const {
-    using std::atan2;
-    return aperture_ > Real(0) ? aperture_ : Real(Real(2) * atan2(table_[1].sine, table_[1].cosine));
+    if constexpr (Number<Real>) {
+      using std::atan2;
+      return aperture_ > Real(0) ? aperture_ : Real(Real(2) * atan2(table_[1].sine, table_[1].cosine));
+    } else {
+      return aperture_;  // where angles are packs, they are given
+    }
   }
 
   /// The first m with mα ≥ π, found by the addition theorem; 0 if it was not, or the table is too short for it.
