@@ -17,6 +17,7 @@
 #include "vcavity/numbers/pack.hpp"
 #include "vcavity/numbers/linear.hpp"
 #include "vcavity/numbers/per_component.hpp"
+#include "vcavity/numbers/pack_functions.hpp"
 #include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/small_differences.hpp"

@@ -214,7 +214,7 @@ struct FilmPassage {
       : turn(film_turn), w{-(turn * q.im), turn * q.re} {
     // e^w − 1 from sines and cosines of half the angle: no cancellation.
     const Value half = Real(0.5) * w.im;
-    const Value sin_half = sine(half), cos_half = cosine(half);
+    const auto [sin_half, cos_half] = sine_and_cosine(half);
     one_less_cosine = Real(2) * (sin_half * sin_half);
     lost = exponential_less_one(w.re);
     sine_of_turn = Real(2) * (sin_half * cos_half);

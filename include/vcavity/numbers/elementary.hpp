@@ -4,6 +4,9 @@
 /// Elementary functions of values, component by component: `Pack` and `glm::vec` bring the roots that
 /// Fresnel's formula needs, thin films also want sines and exponentials.
 ///
+/// Method. Packs have some of them in vector registers (pack_functions.hpp); the rest, and all other values, goes through
+/// the standard library, one component after the other.
+///
 /// When not to use it: in the innermost loops of bare facets; a call for each component takes as long as all
 /// of Fresnel's formula.
 
@@ -11,6 +14,7 @@
 #include <cstddef>
 
 #include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/pack_functions.hpp"
 #include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity::detail {
@@ -37,6 +41,12 @@ Value cosine(const Value& a) {
     using std::cos;
     return scalar_t<Value>(cos(x));
   });
+}
+
+/// Both.
+template <class Value>
+SineAndCosine<Value> sine_and_cosine(const Value& a) {
+  return {sine(a), cosine(a)};
 }
 
 /// e^a

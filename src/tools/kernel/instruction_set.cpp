@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 #include <vcavity/vcavity.hpp>
 #include <vector>
@@ -61,6 +62,41 @@ template <class Real>
   std::copy_n(numbers.begin(), count, target);
 }
 
+// The same under films, for reflectances alone: with the flux through films the code would be several times larger.
+template <class Cavity, class Facet, class Use>
+void with_reflectance(const KernelJob& job, const Cavity& cavity, const Facet& facet, Use&& use) {
+  with_polarization(job.polarization, facet, [&](const auto& model) {
+    use([&](const auto& e)
+            VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
+  });
+}
+
+template <class Real>
+using CoatedFacet = Coated<Conductor<Lanes<Real>>>;
+
+// A facet under films; `wavelength(lane)` says for which wavelength each of its components stands.
+template <class Real, class Wavelength>
+CoatedFacet<Real> coated_facet(const KernelJob& job, const Wavelength& wavelength) {
+  const auto index_of = [&](std::span<const RefractiveIndex> indices) {
+    Complex<Lanes<Real>> index;
+    for (std::size_t lane = 0; lane < native_lanes<Real>; ++lane) {
+      index.re[lane] = static_cast<Real>(indices[wavelength(lane)].n);
+      index.im[lane] = static_cast<Real>(indices[wavelength(lane)].k);
+    }
+    return index;
+  };
+  std::vector<Film<Lanes<Real>>> films;
+  for (const KernelFilm& film : job.films) {
+    const Complex<Lanes<Real>> index = index_of(film.indices);
+    Lanes<Real> thickness;
+    for (std::size_t lane = 0; lane < native_lanes<Real>; ++lane)
+      thickness[lane] = static_cast<Real>(film.thicknesses[wavelength(lane)]);
+    films.emplace_back(index.re, index.im, thickness);
+  }
+  const Complex<Lanes<Real>> substrate = index_of(job.indices);
+  return CoatedFacet<Real>(Conductor<Lanes<Real>>(substrate.re, substrate.im), films);
+}
+
 // One wavelength: packs of directions.
 template <class Real>
 void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
@@ -74,6 +110,10 @@ void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
       copy_first(values, std::min(lanes, count - start), &job.values[start]);
     }
   };
+  if (!job.films.empty()) {
+    with_reflectance(job, cavity, coated_facet<Real>(job, [](std::size_t) { return std::size_t{0}; }), fill);
+    return;
+  }
   const RefractiveIndex& index = job.indices.front();
   const Lanes<Real> n(static_cast<Real>(index.n));
   if (index.k == 0)
@@ -83,19 +123,10 @@ void over_directions(const KernelJob& job, const Cavity<Real>& cavity) {
 }
 
 // Many wavelengths: packs of wavelengths.
-template <class Real>
-void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
+// @param facets one for each pack
+template <class Real, class Facet>
+void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity, const std::vector<Facet>& facets) {
   constexpr std::size_t lanes = native_lanes<Real>;
-  std::vector<Conductor<Lanes<Real>>> facets;
-  for (std::size_t start = 0; start < job.indices.size(); start += lanes) {
-    Lanes<Real> n, k;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const RefractiveIndex& index = job.indices[std::min(start + lane, job.indices.size() - 1)];
-      n[lane] = static_cast<Real>(index.n);
-      k[lane] = static_cast<Real>(index.k);
-    }
-    facets.emplace_back(n, k);
-  }
   const auto store = [&](std::size_t direction, std::size_t pack, const Lanes<Real>& values) {
     const std::size_t start = pack * lanes;
     copy_first(values, std::min(lanes, job.indices.size() - start),
@@ -109,12 +140,48 @@ void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
         store(i, pack, recorded.reflectance(facets[pack]));
     }
   } else {
-    for (std::size_t pack = 0; pack < facets.size(); ++pack)
-      with_quantity(job, cavity, facets[pack], [&](const auto& quantity) {
+    for (std::size_t pack = 0; pack < facets.size(); ++pack) {
+      const auto fill = [&](const auto& quantity) {
         for (std::size_t i = 0; i < job.directions.size(); ++i)
           store(i, pack, quantity(Vec3<Real>(job.directions[i])));
-      });
+      };
+      if constexpr (std::is_same_v<Facet, CoatedFacet<Real>>)
+        with_reflectance(job, cavity, facets[pack], fill);
+      else
+        with_quantity(job, cavity, facets[pack], fill);
+    }
   }
+}
+
+// The facets of all wavelengths. `facet_at(wavelength)` makes one of a pack; `wavelength(lane)` says which they are.
+template <class Real, class FacetAt>
+auto packed_facets(const KernelJob& job, const FacetAt& facet_at) {
+  const auto make = [&](std::size_t start) {
+    return facet_at([&, start](std::size_t lane) { return std::min(start + lane, job.indices.size() - 1); });
+  };
+  std::vector<decltype(make(0))> facets;
+  for (std::size_t start = 0; start < job.indices.size(); start += native_lanes<Real>)
+    facets.push_back(make(start));
+  return facets;
+}
+
+template <class Real>
+void over_wavelengths(const KernelJob& job, const Cavity<Real>& cavity) {
+  if (!job.films.empty()) {
+    over_wavelengths(job, cavity, packed_facets<Real>(job, [&](const auto& wavelength) {
+                       return coated_facet<Real>(job, wavelength);
+                     }));
+    return;
+  }
+  over_wavelengths(job, cavity, packed_facets<Real>(job, [&](const auto& wavelength) {
+                     Lanes<Real> n, k;
+                     for (std::size_t lane = 0; lane < native_lanes<Real>; ++lane) {
+                       const RefractiveIndex& index = job.indices[wavelength(lane)];
+                       n[lane] = static_cast<Real>(index.n);
+                       k[lane] = static_cast<Real>(index.k);
+                     }
+                     return Conductor<Lanes<Real>>(n, k);
+                   }));
 }
 
 template <class Real>

@@ -36,6 +36,12 @@ struct Directions {
   }
 };
 
+/// A thin film at every wavelength of a job.
+struct KernelFilm {
+  std::vector<RefractiveIndex> indices;
+  std::vector<double> thicknesses;  ///< in wavelengths
+};
+
 /// A job for a kernel.
 struct KernelJob {
   double aperture;    ///< radians
@@ -45,6 +51,7 @@ struct KernelJob {
   std::span<const RefractiveIndex> indices;  ///< one for each wavelength
   const Directions& directions;              ///< all with e.y ≥ 0; the groove is its own mirror image
   std::span<double> values;                  ///< result: those of the first direction, then of the second, …
+  std::span<const KernelFilm> films = {};  ///< on every facet, the top one first; then only for reflectances
 };
 
 /// A kernel for one instruction set.

@@ -110,8 +110,10 @@ DiscMapper::DiscMapper(MapRequest request) : request_(std::move(request)) {
   for (const double wavelength_nm : wavelengths_nm_)
     surfaces_.push_back(make_surface(request_.surface, wavelength_nm, light));
   check();
-  if (by_kernel())
+  if (by_kernel()) {
     for (const auto& surface : surfaces_) indices_.push_back(surface->index().value());
+    if (has_films(request_.surface.films)) films_ = kernel_films();
+  }
   if (request_.quantity == Quantity::bounces) {
     channels_ = {"Y", "bounces.least", "bounces.most", "A"};
   } else if (request_.environment) {
@@ -202,8 +204,23 @@ void DiscMapper::check() const {
 
 // The one place where the fast way parts from the general one.
 bool DiscMapper::by_kernel() const {
-  return is_bare_symmetric_groove(request_.surface) && !request_.environment && !request_.light &&
-         request_.quantity != Quantity::bounces;
+  if (!is_symmetric_groove(request_.surface) || request_.environment || request_.light) return false;
+  return has_films(request_.surface.films) ? request_.quantity == Quantity::reflectance
+                                           : request_.quantity != Quantity::bounces;
+}
+
+// The films as the kernel takes them.
+std::vector<KernelFilm> DiscMapper::kernel_films() const {
+  std::vector<KernelFilm> films;
+  for (const FilmLayer& layer : request_.surface.films) {
+    KernelFilm film;
+    for (const double wavelength_nm : wavelengths_nm_) {
+      film.indices.push_back(layer.material.at(wavelength_nm));
+      film.thicknesses.push_back(layer.thickness_nm / wavelength_nm);
+    }
+    films.push_back(std::move(film));
+  }
+  return films;
 }
 
 // What the kernel computes, for any surface.
@@ -223,7 +240,7 @@ std::vector<double> DiscMapper::spectra(const Directions& directions) const {
   std::vector<double> values(directions.size() * surfaces_.size());
   if (by_kernel()) {
     run_kernel({radians(request_.surface.aperture_deg), request_.quantity, request_.polarization,
-                request_.max_bounces, indices_, directions, values},
+                request_.max_bounces, indices_, directions, values, films_},
                request_.precision);
   } else {
     auto next = values.begin();
@@ -316,7 +333,7 @@ Planes DiscMapper::rows(int first_row, int rows, Planes planes) const {
   planes.resize(channels_.size());
   for (std::vector<float>& plane : planes) plane.resize(at(rows, 0));
   // A symmetric groove is its own mirror image: the right half of a row tells the left half, unless the light differs.
-  const bool mirrored = is_bare_symmetric_groove(request_.surface) && !request_.environment;
+  const bool mirrored = is_symmetric_groove(request_.surface) && !request_.environment;
   const bool from_lobes = request_.environment || request_.quantity == Quantity::bounces;
   tbb::parallel_for(0, rows, [&](int row) {
     Directions directions;

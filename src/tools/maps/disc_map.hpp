@@ -116,6 +116,7 @@ class DiscMapper {
   void put_from_lobes(const Vec3<double>& e, std::size_t pixel, const Put& put) const;
   void check() const;
   bool by_kernel() const;
+  std::vector<KernelFilm> kernel_films() const;
   double value(const Surface& surface, const Vec3<double>& e) const;
   std::vector<std::size_t> requested() const;
 
@@ -123,6 +124,7 @@ class DiscMapper {
   std::vector<double> wavelengths_nm_;  // those of the request, and between them those of the colour
   std::vector<std::shared_ptr<const Surface>> surfaces_;  // at each of them
   std::vector<RefractiveIndex> indices_;                  // those of the kernel, if it is what computes
+  std::vector<KernelFilm> films_;                         // the same
   std::optional<SpectralWeights> weights_;
   std::vector<std::string> channels_;
 };

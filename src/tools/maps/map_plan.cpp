@@ -35,16 +35,20 @@ MapPlan plan_reflectance(MapRequest request, double tolerance) {
 
 // Bound on the rounding error in any direction, at the worst of the wavelengths.
 double largest_rounding(const MapRequest& request) {
-  if (!is_bare_symmetric_groove(request.surface))
-    throw UsageError("--tolerance: bounds the rounding of bare symmetric grooves only, not of this surface");
+  if (!is_symmetric_groove(request.surface))
+    throw UsageError("--tolerance: bounds the rounding of symmetric grooves only, not of this surface");
+  if (has_films(request.surface.films) && request.quantity != Quantity::reflectance)
+    throw UsageError(
+        "--tolerance: bounds the rounding of reflectances only under films, not of absorptances");
   double bound = 0;
   const Cavity<double> cavity(radians(request.surface.aperture_deg));
   for (const double wavelength_nm : request.wavelengths_nm) {
     const RefractiveIndex index = request.surface.material.at(wavelength_nm);
-    const Conductor<double> facet(index.n, index.k);
-    bound = std::max(bound, request.precision == Precision::single_precision
-                                ? rounding_bound<float>(cavity, facet)
-                                : rounding_bound<double>(cavity, facet));
+    with_facet(index, request.surface.films, wavelength_nm, [&](const auto& facet) {
+      bound = std::max(bound, request.precision == Precision::single_precision
+                                  ? rounding_bound<float>(cavity, facet)
+                                  : rounding_bound<double>(cavity, facet));
+    });
   }
   return bound;
 }
@@ -77,7 +81,7 @@ std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
   for (const std::size_t stride : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u})
     for (const Polarization polarization : {Polarization::none, Polarization::full})
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
-        if (precision == Precision::single_precision && !is_bare_symmetric_groove(full.surface)) continue;
+        if (precision == Precision::single_precision && !is_symmetric_groove(full.surface)) continue;
         MapRequest candidate = full;
         candidate.wavelengths_nm = thinned(full.wavelengths_nm, stride);
         candidate.polarization = polarization;

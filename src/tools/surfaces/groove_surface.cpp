@@ -72,13 +72,15 @@ class GrooveSurface final : public Surface {
       return Integral<double>{static_cast<double>(integral.value), std::min(bounds.total(), 1.0),
                               integral.evaluations};
     };
-    if constexpr (std::is_same_v<Facet, Coated<Conductor<double>>>)
+    if constexpr (under_films)
       return with_effects(plan, cavity_, facet_, integrate);
     else
       return with_effects(plan, cavity_, index_.n, index_.k, integrate);
   }
 
  private:
+  static constexpr bool under_films = std::is_same_v<Facet, Coated<Conductor<double>>>;
+
   Cavity<double> cavity_;
   RefractiveIndex index_;
   Facet facet_;

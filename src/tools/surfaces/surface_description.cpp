@@ -75,8 +75,12 @@ std::vector<Material> materials_of(const SurfaceDescription& surface) {
   return materials;
 }
 
+bool is_symmetric_groove(const SurfaceDescription& surface) {
+  return !surface.albedos && surface.profile.is_plain() && !surface.roughness;
+}
+
 bool is_bare_symmetric_groove(const SurfaceDescription& surface) {
-  return !surface.albedos && surface.profile.is_plain() && !has_films(surface.films) && !surface.roughness;
+  return is_symmetric_groove(surface) && !has_films(surface.films);
 }
 
 std::unique_ptr<const Surface> make_surface(const SurfaceDescription& surface, double wavelength_nm,

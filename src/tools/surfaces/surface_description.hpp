@@ -65,6 +65,9 @@ std::vector<Material> materials_of(const SurfaceDescription& surface);
 /// Finish and albedo of the panels and where it is from, for provenance; empty where a material is given.
 std::string albedo_in_words(const SurfaceDescription& surface);
 
+/// Whether a surface is a symmetric groove of one material, bare or under films: its own mirror image.
+bool is_symmetric_groove(const SurfaceDescription& surface);
+
 /// Whether a surface is a bare symmetric groove, for which maps have a fast kernel.
 bool is_bare_symmetric_groove(const SurfaceDescription& surface);
 
