@@ -136,3 +136,18 @@ TEST_CASE("films that are none are refused in one line that names the word") {
   CHECK(lines_of(outcome.err).size() == 1);
   CHECK(outcome.err.starts_with("vcavity_maps: wavelength 200000 nm is outside the data of TiO2-Siefke"));
 }
+
+TEST_CASE("the file of a film may have colons in its name") {
+  const ScratchFolder folder;
+  put(folder / "oxide:60.csv", "wavelength_nm,n,k\n400,2.4,0\n700,2.4,0\n");
+  const std::string line =
+      "table --material Ti --aperture 60 --tolerance 1e-4 --format json --film ./oxide:60.csv";
+  const Outcome one = run(line + ":30", folder.path());
+  CAPTURE(one.err);
+  REQUIRE(one.status == 0);
+  CHECK(nlohmann::json::parse(one.out)["rows"][0]["films"][0]["thickness_nm"] == 30);
+  const Outcome range = run(line + ":20:40:10", folder.path());
+  REQUIRE(range.status == 0);
+  CHECK(nlohmann::json::parse(range.out)["rows"].size() == 3);
+  CHECK(run(line, folder.path()).status != 0);
+}

@@ -147,11 +147,18 @@ TEST_CASE("profiles that cannot be are refused with value and domain") {
   check_refused(
       start + " --slopes 90:90 --floor 1",
       "--slopes: '90:90' leaves walls of no thickness, expected --land above 0 with vertical walls");
-  check_refused(start + " --slopes 100:60 --floor 1",
-                "--slopes: '100:60' leans over a floor, expected slopes up to 90 degrees with --floor");
+  check_refused(
+      start + " --slopes 100:60 --floor 1",
+      "--slopes: '100:60' leans over a floor, to which light may come back without end: expected slopes up "
+      "to 90 degrees with --floor");
   check_refused(start + " --slopes 60",
                 "--slopes: '60' is not accepted, expected the angles of panel one and panel two "
-                "to the mean plane, B1:B2");
+                "to the mean plane: B1:B2, or B1/B2 with a range LOW:HIGH:STEP for one or both");
+  check_refused(start + " --slopes 60:80:10",
+                "--slopes: '60:80:10' is not accepted, expected the angles of panel one and panel two "
+                "to the mean plane: B1:B2, or B1/B2 with a range LOW:HIGH:STEP for one or both");
+  check_refused(start + " --slopes 80:60:10/40",
+                "--slopes: '80:60:10' is not accepted, expected LOW:HIGH:STEP with LOW not above HIGH");
   check_refused(start + " --slopes 0:60",
                 "--slopes: '0' is not accepted, expected a number above 0 and below 180");
   check_refused(start + " --aperture 60 --floor 1", "--floor: '1' needs --slopes, the angles of the walls");
@@ -183,4 +190,75 @@ TEST_CASE("the cost of any surface is that of its own quadrature") {
   CHECK(result["sections"][1]["rows"].size() == 3);
   check_refused("cost" + of_silver + " --aperture 60,90",
                 "cost: measures one surface, expected no list or range of 2");
+}
+
+TEST_CASE("planned effects of every profile print a bound that holds") {
+  for (const char* scene : {"--material Ag --aperture 60 --tilt 20", "--panels Ag/1.5 --slopes 80:40",
+                            "--material Ag --aperture 60 --land 0.2 --land-material Al",
+                            "--material Ag --slopes 60:70 --floor 0.5 --floor-material 1.5",
+                            "--material Ag --slopes 90:90 --floor 1 --land 0.5",
+                            "--panels Ag/Si --aperture 60 --tilt 20 --film SiO2-Malitson:90"}) {
+    CAPTURE(scene);
+    const std::string line = std::string("table ") + scene;
+    for (const char* tolerance : {"1e-2", "1e-4"}) {
+      const json planned = result_of(line + " --effects auto --tolerance " + tolerance)["rows"][0];
+      const json exact = result_of(line + " --polarization full --tolerance 1e-6")["rows"][0];
+      CHECK(std::abs(planned["reflectance"].get<double>() - exact["reflectance"].get<double>()) <=
+            planned["error_estimate"].get<double>() + 1e-6);
+      CHECK(planned["error_estimate"].get<double>() <= std::stod(tolerance));
+      CHECK(planned["plan"]["error_bounds"]["rounding"].get<double>() > 0);
+    }
+    const Outcome explained = run(line + " --effects auto --tolerance 1e-2 --explain");
+    CHECK(explained.status == 0);
+    CHECK_THAT(explained.out, Catch::Matchers::ContainsSubstring("together error at most "));
+  }
+}
+
+TEST_CASE("a planned map of a profile says what it is computed in") {
+  const Outcome outcome =
+      run("map --material Ag --slopes 60:70 --floor 0.5 --size 16 --effects auto --tolerance 0.1 --explain");
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::ContainsSubstring("polarisation left out"));
+  CHECK_THAT(outcome.out, Catch::Matchers::ContainsSubstring("double"));
+}
+
+TEST_CASE("diffuse reflectance over a floor counts no more bounces than asked for") {
+  const std::string line = "table --slopes 60:70 --floor 0.5 --tolerance 1e-9 --max-bounces ";
+  const TruncatedGroove<double> groove(radians(60.0), radians(70.0), 0.5);
+  for (const int most : {1, 2, 3}) {
+    const json row = result_of(line + std::to_string(most) + of_silver)["rows"][0];
+    CHECK(row["max_bounces"] == most);
+    CHECK(std::abs(row["reflectance"].get<double>() -
+                   bihemispherical_reflectance(groove, silver, 1e-9, most).value) <= 1e-9);
+  }
+}
+
+TEST_CASE("slopes take lists and ranges") {
+  const auto slopes_of = [](const std::string& words) {
+    const json rows = result_of("table --material Ag --tolerance 1e-2 --slopes " + words)["rows"];
+    std::vector<std::pair<double, double>> result;
+    for (const json& row : rows)
+      result.emplace_back(row["aperture_deg"].get<double>(), row["tilt_deg"].get<double>());
+    return result;
+  };
+  using Pairs = std::vector<std::pair<double, double>>;
+  CHECK(slopes_of("80:40,90:45") == Pairs{{60, 20}, {45, 22.5}});
+  CHECK(slopes_of("80/40") == Pairs{{60, 20}});
+  CHECK(slopes_of("60:80:10/40") == Pairs{{80, 10}, {70, 15}, {60, 20}});
+  CHECK(slopes_of("50:60:10/30:40:10,80:40") == Pairs{{100, 10}, {90, 5}, {90, 15}, {80, 10}, {60, 20}});
+}
+
+TEST_CASE("k that a file does not give is 0 on request for every face and film") {
+  const ScratchFolder folder;
+  put(folder / "glass.csv", "wl,n\n0.4,1.5\n0.7,1.5\n\nwl,k\n0.6,1e-3\n0.7,1e-3\n");
+  for (const std::string options :
+       {"--panels Ag/./glass.csv --slopes 80:40", "--panels ./glass.csv/Ag --slopes 80:40",
+        "--material Ag --slopes 60:60 --floor 1 --floor-material glass.csv",
+        "--material Ag --aperture 60 --land 0.2 --land-material glass.csv",
+        "--material Ag --aperture 60 --film glass.csv:50"}) {
+    CAPTURE(options);
+    const std::string line = "direction --theta 10 --phi 0 --wavelength 500 " + options;
+    CHECK(run(line, folder.path()).status == 2);
+    CHECK(run(line + " --missing-k zero", folder.path()).status == 0);
+  }
 }

@@ -241,17 +241,19 @@ Omissions mean_shape_omissions(const Shape& shape, const Facets& tried, double s
 
 }  // namespace detail
 
-/// Bound on the absolute rounding error of a directional reflectance, in any direction and any model of polarisation; an
-/// estimate as far as the weights of the lobes go, which are tried on a grid.
+/// Bound on the absolute rounding error of a reflectance in any model of polarisation, in any direction or under diffuse
+/// light; an estimate as far as the weights of the lobes go, which are tried on a grid.
 /// @tparam Real the number type that it is computed with
 /// @param shape an `AsymmetricGroove` or a profile
 /// @param facets one facet as for the `rounding_bound` of a `Cavity`, or `PanelFacets` or `FaceFacets` of such
+/// @param illumination of the scene
 /// @return at most 1, which is also the answer where the shape cannot be had in this number type. Light along the walls
 /// of a trench meets so many of them that nothing better can be promised in float
 template <class Real, PlannableShape Shape, class Facets>
-double rounding_bound(const Shape& shape, const Facets& facets) {
+double rounding_bound(const Shape& shape, const Facets& facets,
+                      Illumination illumination = Illumination::collimated) {
   return detail::shape_rounding<Real>(detail::as_profile(shape), facets, detail::angles_for_search(shape),
-                                      Illumination::collimated);
+                                      illumination);
 }
 
 /// The cheapest plan for grooves of another shape, or of several materials; see `plan_effects` of a `Cavity`.

@@ -2,7 +2,6 @@
 #include "tools/commands/profile_options.hpp"
 
 #include <optional>
-#include <sstream>
 
 #include "tools/commands/options.hpp"
 #include "tools/commands/vary.hpp"
@@ -17,30 +16,28 @@ constexpr Interval slope_range_deg{0, 180, Interval::Ends::open_both};
 constexpr Interval land_range{0, 1};
 constexpr Interval floor_range{0, 1e6};
 
-std::vector<std::string> words_of(const std::string& list) {
-  std::vector<std::string> words;
-  std::istringstream stream(list);
-  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-  return words;
-}
-
-/// The pairs of `B1:B2[,B1:B2...]`.
+/// The pairs of a list of `B1:B2` and `B1/B2`, where in the latter either may be a range.
 std::vector<std::array<double, 2>> slopes_of(const std::string& list) {
   std::vector<std::array<double, 2>> slopes;
-  for (const std::string& word : words_of(list)) {
-    const auto colon = word.find(':');
-    if (colon == std::string::npos || word.find(':', colon + 1) != std::string::npos)
-      throw unexpected("--slopes", word, "the angles of panel one and panel two to the mean plane, B1:B2");
-    slopes.push_back({checked_number(word.substr(0, colon), "--slopes", slope_range_deg),
-                      checked_number(word.substr(colon + 1), "--slopes", slope_range_deg)});
+  for (const std::string& word : split_list(list, "--slopes")) {
+    const auto slash = word.find('/');
+    const auto separator = slash == std::string::npos ? word.find(':') : slash;
+    const bool is_pair =
+        separator != std::string::npos && word.find(word[separator], separator + 1) == std::string::npos;
+    if (!is_pair)
+      throw unexpected("--slopes", word,
+                       "the angles of panel one and panel two to the mean plane: B1:B2, or B1/B2 with a "
+                       "range LOW:HIGH:STEP for one or both");
+    for (const double one : checked_numbers(word.substr(0, separator), "--slopes", slope_range_deg))
+      for (const double two : checked_numbers(word.substr(separator + 1), "--slopes", slope_range_deg))
+        slopes.push_back({one, two});
   }
-  if (slopes.empty()) throw unexpected("--slopes", list, "B1:B2");
   return slopes;
 }
 
-std::optional<Material> loaded(const std::string& name) {
+std::optional<Material> loaded(const std::string& name, MissingExtinction missing) {
   if (name.empty()) return std::nullopt;
-  return load_material(name);
+  return load_material(name, missing);
 }
 
 }  // namespace
@@ -55,14 +52,14 @@ void add_profile_options(CLI::App& command, ProfileOptions& options) {
       .add_option_function<std::string>(
           "--slopes", [&options](const std::string& list) { options.slopes_deg = slopes_of(list); },
           "in place of --aperture and --tilt: the angles of panel one (y < 0) and panel two to the mean "
-          "plane in "
-          "degrees, together less than 180; a list of such pairs")
-      ->type_name("B1:B2");
+          "plane in degrees, together less than 180; a list of such pairs. B1/B2 is a pair too, in which "
+          "either angle may be a range LOW:HIGH:STEP, as in 60:80:5/40")
+      ->type_name("B1:B2[,B1:B2...]");
   command
       .add_option_function<std::string>(
-          "--panels", [&options](const std::string& list) { options.panels = words_of(list); },
+          "--panels", [&options](const std::string& list) { options.panels = split_list(list, "--panels"); },
           "in place of --material: the materials of panel one and panel two; a list of such pairs")
-      ->type_name("M1/M2");
+      ->type_name("M1/M2[,M1/M2...]");
   add_numbers(command, "--land", options.lands, land_range,
               "widths of the flat land between two grooves, at the height of their rims, as fractions of the "
               "period, 0 "
@@ -81,17 +78,17 @@ void add_profile_options(CLI::App& command, ProfileOptions& options) {
       ->type_name(material_placeholder);
 }
 
-std::pair<Material, Material> panel_materials(const std::string& words) {
+std::pair<Material, Material> panel_materials(const std::string& words, MissingExtinction missing) {
   const auto slash = words.find('/');
   const std::string expected = "the materials of panel one and panel two, M1/M2";
   if (slash == std::string::npos || slash == 0 || slash + 1 == words.size())
     throw unexpected("--panels", words, expected);
   if (words.find('/', slash + 1) == std::string::npos)
-    return {load_material(words.substr(0, slash)), load_material(words.substr(slash + 1))};
+    return {load_material(words.substr(0, slash), missing), load_material(words.substr(slash + 1), missing)};
   // Names of files have slashes of their own: the one that leaves two materials it is.
   for (auto at = slash; at != std::string::npos; at = words.find('/', at + 1)) {
     try {
-      return {load_material(words.substr(0, at)), load_material(words.substr(at + 1))};
+      return {load_material(words.substr(0, at), missing), load_material(words.substr(at + 1), missing)};
     } catch (const std::runtime_error&) {
       continue;
     }
@@ -100,7 +97,7 @@ std::pair<Material, Material> panel_materials(const std::string& words) {
 }
 
 std::vector<SurfaceDescription> with_profiles(const std::vector<SurfaceDescription>& surfaces,
-                                              const ProfileOptions& options) {
+                                              const ProfileOptions& options, MissingExtinction missing) {
   if (!options.slopes_deg.empty() && !options.tilts_deg.empty())
     throw UsageError("--tilt: --slopes say how the groove is tilted, expected one of them");
   std::vector<SurfaceDescription> result = surfaces;
@@ -113,8 +110,8 @@ std::vector<SurfaceDescription> with_profiles(const std::vector<SurfaceDescripti
   vary(result, options.floors,
        [](SurfaceDescription& surface, double floor) { surface.profile.floor = floor; });
   vary(result, options.lands, [](SurfaceDescription& surface, double land) { surface.profile.land = land; });
-  const std::optional<Material> floor_material = loaded(options.floor_material);
-  const std::optional<Material> land_material = loaded(options.land_material);
+  const std::optional<Material> floor_material = loaded(options.floor_material, missing);
+  const std::optional<Material> land_material = loaded(options.land_material, missing);
   for (SurfaceDescription& surface : result) {
     surface.profile.floor_material = floor_material;
     surface.profile.land_material = land_material;

@@ -29,12 +29,14 @@ struct ProfileOptions {
 void add_profile_options(CLI::App& command, ProfileOptions& options);
 
 /// The two materials of `M1/M2`.
+/// @param missing what k is where a file has none
 /// @throws UsageError where the words name no two materials
-std::pair<Material, Material> panel_materials(const std::string& words);
+std::pair<Material, Material> panel_materials(const std::string& words, MissingExtinction missing);
 
 /// Every surface in every profile that the options say, all profiles of the first one first.
+/// @param missing what k is where the file of a floor's or land's material has none
 /// @throws UsageError that names value and domain where a profile cannot be made
 std::vector<SurfaceDescription> with_profiles(const std::vector<SurfaceDescription>& surfaces,
-                                              const ProfileOptions& options);
+                                              const ProfileOptions& options, MissingExtinction missing);
 
 }  // namespace vcavity::tools

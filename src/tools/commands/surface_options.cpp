@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vcavity/conventions.hpp>
 #include <vcavity/groove/cavity.hpp>
@@ -18,9 +20,19 @@
 namespace vcavity::tools {
 namespace {
 
+/// Where the material of `M:NM` ends. Names of files may have colons of their own: what is a file is one.
+std::size_t end_of_material(const std::string& words) {
+  const auto first = words.find(':');
+  for (auto colon = words.rfind(':'); colon != words.npos && colon > first;
+       colon = words.rfind(':', colon - 1))
+    if (std::error_code ignored; std::filesystem::is_regular_file(words.substr(0, colon), ignored))
+      return colon;
+  return first;
+}
+
 /// A film of each thickness that `M:NM` names, where NM may be a list or a range.
 std::vector<FilmLayer> films_of(const std::string& words, MissingExtinction missing) {
-  const auto colon = words.find(':');
+  const auto colon = end_of_material(words);
   if (colon == words.npos || colon == 0)
     throw unexpected("--film", words, "a material and a thickness in nm, M:NM or M:LO:HI:STEP");
   const Material material = load_material(words.substr(0, colon), missing);
@@ -183,7 +195,7 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
   for (const std::string& name : options.materials)
     surfaces.push_back({load_material(name, options.missing_k), 180});
   for (const std::string& words : options.profiles.panels) {
-    const auto [one, two] = panel_materials(words);
+    const auto [one, two] = panel_materials(words, options.missing_k);
     surfaces.push_back({one, 180});
     surfaces.back().profile.panel_two = two;
   }
@@ -196,7 +208,7 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
     }
   vary(surfaces, options.apertures_deg,
        [](SurfaceDescription& surface, double aperture_deg) { surface.aperture_deg = aperture_deg; });
-  surfaces = with_profiles(surfaces, options.profiles);
+  surfaces = with_profiles(surfaces, options.profiles, options.missing_k);
   for (const std::string& film : options.films)
     vary(surfaces, films_of(film, options.missing_k),
          [](SurfaceDescription& surface, const FilmLayer& layer) { surface.films.push_back(layer); });

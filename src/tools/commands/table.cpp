@@ -92,7 +92,7 @@ std::vector<Row> computed_rows(const TableOptions& options,
 
 /// Which row a plan belongs to.
 std::string plan_in_words(const Row& row) {
-  return row.at.surface.material.name() + ", " + exact(row.at.wavelength_nm) + " nm, " +
+  return material_of(row.at.surface) + ", " + exact(row.at.wavelength_nm) + " nm, " +
          in_words(row.at.surface) + ": " + in_words(*row.plan);
 }
 

@@ -16,7 +16,9 @@ void check_slopes(const ProfileDescription& profile) {
   const double floor = profile.floor.value_or(0);
   if (floor > 0) {
     if (one > 90 || two > 90)
-      throw UsageError(given + " leans over a floor, expected slopes up to 90 degrees with --floor");
+      throw UsageError(given +
+                       " leans over a floor, to which light may come back without end: expected slopes up to "
+                       "90 degrees with --floor");
     if (one == 90 && two == 90 && profile.land.value_or(0) == 0)
       throw UsageError(given + " leaves walls of no thickness, expected --land above 0 with vertical walls");
     return;

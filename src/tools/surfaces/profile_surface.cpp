@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/surfaces/profile_surface.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <utility>
+#include <vcavity/plan/profile_planner.hpp>
 #include <vcavity/profiles/bihemispherical.hpp>
 
-#include "tools/support/error.hpp"
 #include "tools/surfaces/profile_shape.hpp"
 
 namespace vcavity::tools {
 namespace {
 
 /// @tparam Shape a groove and its land
-/// @tparam Facets those of its faces, in a model of polarisation
-template <class Shape, class Facets>
+/// @tparam Plain the facets of its faces without polarisation, from which plans start
+/// @tparam Facets the same in a model of polarisation
+template <class Shape, class Plain, class Facets>
 class ProfileSurface final : public Surface {
  public:
   using Value = face_value_t<Facets, double>;
   using Power = face_power_t<Facets, double>;
 
   /// @param names_faces whether lobes are to say which faces they meet
-  ProfileSurface(Shape shape, const RefractiveIndex& index, Facets facets, bool names_faces, int max_bounces)
+  ProfileSurface(Shape shape, const RefractiveIndex& index, Plain plain, Facets facets, bool names_faces,
+                 int max_bounces)
       : shape_(std::move(shape)),
         index_(index),
+        plain_(std::move(plain)),
         facets_(std::move(facets)),
         names_faces_(names_faces),
         max_bounces_(max_bounces) {}
@@ -71,13 +76,27 @@ class ProfileSurface final : public Surface {
   }
 
   Integral<double> bihemispherical(double tolerance) const override {
-    const auto grooves = bihemispherical_of(shape_.groove(), tolerance);
-    const double land = shape_.fraction();
-    if (!(land > 0)) return grooves;
-    const auto flat =
-        bihemispherical_reflectance(Cavity<double>(pi<double>()), facets_.land, tolerance, max_bounces_);
-    return {(1 - land) * grooves.value + land * flat.value, (1 - land) * grooves.error + land * flat.error,
-            grooves.evaluations + flat.evaluations};
+    return bihemispherical_of(facets_, tolerance, max_bounces_);
+  }
+
+  /// In double, in which this surface computes everything.
+  EffectsPlan plan(double tolerance, Illumination illumination) const override {
+    EffectsPlan plan = plan_effects(shape_, plain_, tolerance, illumination);
+    if (plan.single_precision) {
+      plan.single_precision = false;
+      plan.bounds.rounding = rounding_bound<double>(shape_, plain_, illumination);
+    }
+    return plan;
+  }
+
+  Integral<double> bihemispherical(const EffectsPlan& plan) const override {
+    const Integral<double> integral =
+        plan.polarization ? bihemispherical_of(polarized(plain_), plan.bounds.quadrature, plan.max_bounces)
+                          : bihemispherical_of(plain_, plan.bounds.quadrature, plan.max_bounces);
+    // The plan allows the quadrature its share; it may have needed more.
+    ErrorBounds bounds = plan.bounds;
+    bounds.quadrature = std::max(bounds.quadrature, integral.error);
+    return {integral.value, std::min(bounds.total(), 1.0), integral.evaluations};
   }
 
  private:
@@ -89,19 +108,20 @@ class ProfileSurface final : public Surface {
     });
   }
 
-  Integral<double> bihemispherical_of(const Cavity<double>& groove, double tolerance) const {
-    return bihemispherical_reflectance(groove, facets_.one, tolerance, max_bounces_);
-  }
-  Integral<double> bihemispherical_of(const AsymmetricGroove<double>& groove, double tolerance) const {
-    return bihemispherical_reflectance(groove, PanelFacets{facets_.one, facets_.two}, tolerance,
-                                       max_bounces_);
-  }
-  template <Profile Groove>
-  Integral<double> bihemispherical_of(const Groove& groove, double tolerance) const {
-    if (max_bounces_ != all_bounces)
-      throw UsageError(
-          "--max-bounces: over a floor light is followed to its end, expected no limit with --floor");
-    return bihemispherical_reflectance(groove, facets_, tolerance);
+  template <class Own>
+  Integral<double> bihemispherical_of(const Own& facets, double tolerance, int max_bounces) const {
+    if constexpr (!std::is_same_v<Shape, Land<Cavity<double>>>) {
+      return bihemispherical_reflectance(shape_, facets, tolerance, max_bounces);
+    } else {
+      // The panels are of one material here, which makes it cheap.
+      const auto grooves = bihemispherical_reflectance(shape_.groove(), facets.one, tolerance, max_bounces);
+      const double land = shape_.fraction();
+      if (!(land > 0)) return grooves;
+      const auto flat =
+          bihemispherical_reflectance(Cavity<double>(pi<double>()), facets.land, tolerance, max_bounces);
+      return {(1 - land) * grooves.value + land * flat.value, (1 - land) * grooves.error + land * flat.error,
+              grooves.evaluations + flat.evaluations};
+    }
   }
 
   static std::optional<Panel> first_panel(const FacePath& path) {
@@ -113,6 +133,7 @@ class ProfileSurface final : public Surface {
 
   Shape shape_;
   RefractiveIndex index_;
+  Plain plain_;
   Facets facets_;
   bool names_faces_;
   int max_bounces_;
@@ -129,8 +150,9 @@ std::unique_ptr<const Surface> with_facets(const SurfaceDescription& surface, co
   const bool names_faces = profile.land.value_or(0) > 0 || profile.floor.value_or(0) > 0;
   return with_polarization(light.polarization, facets, [&](const auto& model) {
     return with_profile(surface, [&](const auto& shape) -> std::unique_ptr<const Surface> {
-      using Made = ProfileSurface<std::decay_t<decltype(shape)>, std::decay_t<decltype(model)>>;
-      return std::make_unique<Made>(shape, index, model, names_faces, light.max_bounces);
+      using Made = ProfileSurface<std::decay_t<decltype(shape)>, std::decay_t<decltype(facets)>,
+                                  std::decay_t<decltype(model)>>;
+      return std::make_unique<Made>(shape, index, facets, model, names_faces, light.max_bounces);
     });
   });
 }

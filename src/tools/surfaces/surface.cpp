@@ -9,7 +9,7 @@ namespace vcavity::tools {
 namespace {
 
 UsageError no_plan() {
-  return UsageError("--effects auto: plans bare symmetric grooves only, not this surface");
+  return UsageError("--effects auto: plans mirrors only, not surfaces that scatter light");
 }
 
 }  // namespace

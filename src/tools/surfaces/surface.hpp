@@ -126,7 +126,8 @@ class Surface {
   /// @param tolerance absolute error to aim at, > 0
   virtual Integral<double> bihemispherical(double tolerance) const = 0;
 
-  /// Which effects a tolerance calls for, starting from the full physics whatever the model of this surface.
+  /// Which effects a tolerance calls for, starting from the full physics whatever the model of this surface. It asks for
+  /// float only where that is computed.
   /// @param tolerance absolute error of the reflectance, > 0
   /// @throws UsageError unless the planner knows the shape
   virtual EffectsPlan plan(double tolerance, Illumination illumination) const;
