@@ -12,7 +12,7 @@ using namespace vcavity;
 
 namespace {
 
-const nlohmann::json& cases(const std::string& name, std::size_t count) {
+const nlohmann::json& cases(const char* name, std::size_t count) {
   static const nlohmann::json data =
       nlohmann::json::parse(std::ifstream(VCAVITY_TEST_DATA "/lambertian_cases.json"));
   REQUIRE(data.at(name).size() == count);

@@ -65,7 +65,7 @@ void check_profile(const Shape& profile, const nlohmann::json& row) {
   for (const auto& expected : row["lobes"]) {
     CAPTURE(expected.dump());
     const auto lobe = std::find_if(found.begin(), found.end(), [&](const auto& l) {
-      return renamed(l.path.text()) == expected["facets"];
+      return renamed(l.path.text()) == expected["facets"].get<std::string>();
     });
     REQUIRE(lobe != found.end());
     const auto i = static_cast<std::size_t>(lobe - found.begin());
