@@ -47,4 +47,16 @@ inline constexpr double projection_bound = 4;
 /// Of H, reflectances and BRDF of matte grooves.
 inline constexpr double matte_bound = 16;
 
+/// Of the pdf of a rough surface, up to 8 bounces. Rounding of the directions, which are not quite of one length,
+/// counts the more the nearer to the mirror direction.
+/// @param h length of the horizontal part of the sum of the directions
+inline double rough_pdf_bound(double h) {
+  return 16 + 8 / h;
+}
+
+/// Of its BRDF.
+inline double rough_bound(double h) {
+  return 64 + 8 / h;
+}
+
 }  // namespace vcavity::test

@@ -41,13 +41,17 @@ std::vector<Subject<Real>> surface_subjects();
 template <class Real>
 std::vector<Subject<Real>> matte_subjects();
 
+/// What a distribution of grooves makes of a pair of directions.
+template <class Real>
+std::vector<Subject<Real>> rough_subjects();
+
 /// All of them.
 template <class Real>
 std::vector<Subject<Real>> all_subjects() {
   std::vector<Subject<Real>> all;
-  for (auto* subjects :
-       {fresnel_subjects<Real>, coated_subjects<Real>, groove_subjects<Real>, ray_subjects<Real>,
-        profile_subjects<Real>, polarization_subjects<Real>, surface_subjects<Real>, matte_subjects<Real>})
+  for (auto* subjects : {fresnel_subjects<Real>, coated_subjects<Real>, groove_subjects<Real>,
+                         ray_subjects<Real>, profile_subjects<Real>, polarization_subjects<Real>,
+                         surface_subjects<Real>, matte_subjects<Real>, rough_subjects<Real>})
     for (Subject<Real>& subject : subjects()) all.push_back(std::move(subject));
   return all;
 }

@@ -17,8 +17,8 @@ namespace {
 
 const auto white = [](double) { return 1.0; };
 
-/// ∫ BRDF × cosine over the directions to which the grooves of one azimuth lead, of light of some number of bounces:
-/// dω_o = |h| dψ dθ_o'.
+/// ∫ BRDF × cosine over the directions to which the grooves of one azimuth lead: dω_o = |h| dψ dθ_o'.
+/// @param bounces of light of so many only, or `all_bounces` up to the limit
 template <class Bsdf>
 double integral_over_exits(const Bsdf& bsdf, const Vec3<double>& e, double azimuth, int bounces) {
   const Vec2<double> y{std::cos(azimuth), std::sin(azimuth)};
@@ -29,8 +29,9 @@ double integral_over_exits(const Bsdf& bsdf, const Vec3<double>& e, double azimu
     const double to_y = cos_eta * std::sin(theta);
     const Vec3<double> o{-along * y.y + to_y * y.x, along * y.x + to_y * y.y, cos_eta * std::cos(theta)};
     const double tilt = std::abs(across + to_y);
-    const double value = tilt > 0 ? bsdf.evaluate_bounces(e, o, bounces) * tilt : 0;
-    return detail::Quadrature<double>{value, 0, 1};
+    if (!(tilt > 0)) return detail::Quadrature<double>{0, 0, 1};
+    const double value = bounces == all_bounces ? bsdf.evaluate(e, o) : bsdf.evaluate_bounces(e, o, bounces);
+    return detail::Quadrature<double>{value * tilt, 0, 1};
   };
   // Cut at the mirror direction, at the cone θ_o' = θ_e' and more and more densely towards the horizon, where the
   // terms change within a few times the elevation of the light; the integrator finds the other kinks.
@@ -97,13 +98,36 @@ TEST_CASE("the same in brushed metal") {
 }
 
 TEST_CASE("white facets reflect everything") {
-  for (const double roughness : {0.1, 0.3, 1.0})
-    for (const double theta : {0.0, 60.0, 89.9}) {
+  for (const double roughness : {0.1, 0.3, 0.6, 1.0})
+    for (const double theta : {0.0, 30.0, 60.0, 85.0, 89.9}) {
+      CAPTURE(roughness, theta);
       const auto albedo = [&](const auto& distribution) {
         return directional_albedo(distribution, direction(radians(theta), 0.3), white, 1e-10).value;
       };
       CHECK(std::abs(1 - albedo(GgxSlopes<double>(roughness))) < 1e-10);
       CHECK(std::abs(1 - albedo(BeckmannSlopes<double>(roughness, 0.5))) < 1e-10);
+    }
+}
+
+TEST_CASE(
+    "the BRDF of white facets and what lobes of single grooves send beyond its limit are all of the light") {
+  // By quadrature of the BRDF over all directions to which the grooves of an azimuth lead.
+  for (const double roughness : {0.1, 0.3, 0.6, 1.0})
+    for (const double theta : {0.0, 45.0, 85.0, 89.9}) {
+      CAPTURE(roughness, theta);
+      const Vec3<double> e = direction(radians(theta), 0.0);
+      const double u = 0.11;
+      const auto check = [&](const auto& distribution, int limit) {
+        const double within = integral_over_exits(RoughGrooveBsdf(distribution, white, limit), e,
+                                                  2 * pi<double>() * u, all_bounces) *
+                              pi<double>();
+        const double up_to = detail::reflectance_of_azimuth(distribution, u, e, white, 1e-13, limit).value;
+        CHECK(std::abs(1 - (within + (1 - up_to))) < 1e-10);
+        // Most of it is in the BRDF.
+        CHECK(1 - up_to < 0.05);
+      };
+      check(GgxSlopes<double>(roughness), 8);
+      check(BeckmannSlopes<double>(roughness), 8);
     }
 }
 

@@ -108,6 +108,9 @@ TEST_CASE("grooves, apertures and panels of a pair of directions agree with 40 d
       ++found;
       CHECK(2 * degrees(std::atan2(groove.sin_half, groove.cos_half)) ==
             Approx(number((*term)["aperture_deg"])).epsilon(tolerance));
+      // The fraction of the rays of such a groove.
+      const double weight = grooves.cos_eta() * groove.beam / (2 * groove.sin_half * grooves.to_light().z);
+      CHECK(weight == Approx(number((*term)["weight"])).epsilon(tolerance));
       with_distribution(row, [&](const auto& distribution) {
         CHECK(grooves.density(groove, distribution.density(grooves.normal(groove))) ==
               Approx(number((*term)["white_f_cos_o"])).epsilon(tolerance));

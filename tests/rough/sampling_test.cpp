@@ -123,13 +123,13 @@ TEST_CASE("no sample is lost and none weighs more than 1, in float, from smooth 
 }
 
 TEST_CASE("directions are drawn as the BRDF says") {
-  // 16 tests, each with a sixteenth of the false alarms.
+  // 24 tests, each with its part of the false alarms.
   unsigned seed = 1;
   for (const double theta : {0.0, 30.0, 60.0, 85.0})
-    for (const double roughness : {0.3, 1.0}) {
+    for (const double roughness : {0.3, 0.6, 1.0}) {
       CAPTURE(theta, roughness);
-      CHECK(p_of_directions(BeckmannSlopes<double>(roughness), theta, seed++) > false_alarm_rate / 16);
-      CHECK(p_of_directions(GgxSlopes<double>(roughness), theta, seed++) > false_alarm_rate / 16);
+      CHECK(p_of_directions(BeckmannSlopes<double>(roughness), theta, seed++) > false_alarm_rate / 24);
+      CHECK(p_of_directions(GgxSlopes<double>(roughness), theta, seed++) > false_alarm_rate / 24);
     }
 }
 

@@ -96,6 +96,13 @@ class ConnectingGrooves {
     across_ = tilt_ > Real(0) ? Vec2<Real>{h_x / tilt_, h_y / tilt_} : Vec2<Real>{Real(0), Real(1)};
     e_ = in_groove(e);
     o_ = in_groove(o);
+    // Of e_y and o_y the sum is |h|, and the difference follows from the heights, since e and o are of one length.
+    // Next to the mirror direction, where h is short, products of h with e and o would lose their digits.
+    if (tilt_ > Real(0)) {
+      const Real drop = (o_.z - e_.z) * ((o_.z + e_.z) / tilt_);
+      e_.y = select(tilt_ < horizontal_length(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
+      o_.y = select(tilt_ < horizontal_length(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
+    }
     cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
     const Real sum_z = e_.z + o_.z;
     inverse_sum_ = Real(1) / Real(sqrt(tilt_ * tilt_ + sum_z * sum_z));
@@ -211,13 +218,12 @@ class ConnectingGrooves {
     /// The integral of the terms cos(α/2) B/j over j from n on, in steps of 2, for D(m) = 1, with
     /// the leading terms of sines and cosines of the small angle α/2.
     Real beyond(const Real& n) const {
-      using std::cos;
       using std::log;
       using std::sin;
       if (!(n < most_bounces_)) return Real(0);
       const Real half_sum = Real(0.5) * sum_;
       const Real half_difference = Real(0.5) * difference_;
-      const Real cos_beta = cos(beta_);
+      const Real cos_beta = sin(half_sum);
       const Real both_lit_until = beta_ > Real(0)
                                       ? at_most(Real(sum_ / (difference_ + Real(2) * beta_)), most_bounces_)
                                       : most_bounces_;
@@ -265,7 +271,7 @@ class ConnectingGrooves {
       beta_ = Real(0.5) * (upper_complement_ - lower_);
       const Lanes slowest = larger(difference - Real(2) * beta_, difference);
       most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
-      beam_of_one_ = Real(2) * detail::acute_cosine(beta_);
+      beam_of_one_ = Real(2) * detail::acute_sine(Real(0.5) * sum_);
       nearer_ = select(is_low, lower_, -lower_complement_);
       half_turns_before_ = select(is_low, Lanes(Real(1)), Lanes(Real(2)));
     }
@@ -309,9 +315,14 @@ class ConnectingGrooves {
     Lanes half_turns_before_;  // and the number of bounces at which that is x + β
     Lanes sum_;                // jα
     Lanes beta_;
-    Lanes beam_of_one_;  // 2 cos β
+    Lanes beam_of_one_;  // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
     Lanes most_bounces_;
   };
+
+  static Real horizontal_length(const Vec3<Real>& v) {
+    using std::sqrt;
+    return sqrt(v.x * v.x + v.y * v.y);
+  }
 
   /// A direction in the frame of the grooves; its inverse height, and products of two of these, are finite.
   VCAVITY_INLINE Vec3<Real> in_groove(const Vec3<Real>& v) const {
