@@ -56,7 +56,7 @@ inline double rough_pdf_bound(double h) {
 
 /// Of its BRDF.
 inline double rough_bound(double h) {
-  return 64 + 8 / h;
+  return 32 + 8 / h;
 }
 
 }  // namespace vcavity::test

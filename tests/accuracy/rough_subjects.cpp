@@ -153,7 +153,8 @@ std::vector<Subject<Real>> rough_subjects() {
   subject.bound = [](const Arguments& a) { return rough_pdf_bound(distance_from_mirror(a)); };
   subject.actual = [](const Arguments& a) -> Results<Real> {
     const auto white = [](const Real&) { return Real(1); };
-    const RoughGrooveBsdf bsdf(GgxSlopes<Real>(a[0]), white, most_bounces);
+    const GgxSlopes<Real> slopes{a[0]};
+    const RoughGrooveBsdf bsdf(slopes, white, most_bounces);
     return {{0, bsdf.pdf(direction_at(a, 1), direction_at(a, 4))}};
   };
   subject.refer_to([]<class Wide>(const std::vector<Wide>& a) -> ExactResults<Wide> {
@@ -172,7 +173,8 @@ std::vector<Subject<Real>> rough_subjects() {
     if (a[7] < Real(1)) a[8] = std::max(a[8], Real(0.3));
   };
   subject.actual = [](const Arguments& a) -> Results<Real> {
-    const RoughGrooveBsdf bsdf(GgxSlopes<Real>(a[0]), Conductor<Real>(a[7], a[8]), most_bounces);
+    const GgxSlopes<Real> slopes{a[0]};
+    const RoughGrooveBsdf bsdf(slopes, Conductor<Real>(a[7], a[8]), most_bounces);
     return {{0, bsdf.evaluate(direction_at(a, 1), direction_at(a, 4))}};
   };
   subject.refer_to([]<class Wide>(const std::vector<Wide>& a) -> ExactResults<Wide> {

@@ -189,9 +189,12 @@ class ConnectingGrooves {
     const std::array odd{Series(from, to), Series(from.turned(), to.turned())};
     const std::array even{Series(from, to.turned()), Series(from.turned(), to)};
     const bool odd_is_next = max_bounces % 2 == 0;
+    const Real steepness = e_.z / cos_eta_;
     Real sum(0);
-    for (const Series& series : odd) sum += series.beyond(Real(odd_is_next ? max_bounces : max_bounces + 1));
-    for (const Series& series : even) sum += series.beyond(Real(odd_is_next ? max_bounces + 1 : max_bounces));
+    for (const Series& series : odd)
+      sum += series.beyond(Real(odd_is_next ? max_bounces : max_bounces + 1), steepness);
+    for (const Series& series : even)
+      sum += series.beyond(Real(odd_is_next ? max_bounces + 1 : max_bounces), steepness);
     return cos_eta_ / (Real(2) * tilt_ * e_.z) * (steepest_density * sum);
   }
 
@@ -217,7 +220,9 @@ class ConnectingGrooves {
 
     /// The integral of the terms cos(α/2) B/j over j from n on, in steps of 2, for D(m) = 1, with
     /// the leading terms of sines and cosines of the small angle α/2.
-    Real beyond(const Real& n) const {
+    /// @param steepness e_z/cos η: no more rays go a way than meet the groove, B ≤ 2 sin(α/2) e_z/cos η. Towards the
+    ///        horizon more would be left by rounding.
+    Real beyond(const Real& n, const Real& steepness) const {
       using std::log;
       using std::sin;
       if (!(n < most_bounces_)) return Real(0);
@@ -232,7 +237,8 @@ class ConnectingGrooves {
                         cos_beta * half_sum * (Real(1) / n - Real(1) / b);
       const Real one = half_sum * (Real(1) / b - Real(1) / most_bounces_) -
                        (half_difference > Real(0) ? Real(half_difference * log(most_bounces_ / b)) : Real(0));
-      return Real(0.5) * both + cos_beta * one;
+      return at_most(at_least(Real(Real(0.5) * both + cos_beta * one), Real(0)),
+                     Real(half_sum / n * steepness));
     }
 
    private:
