@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <tuple>
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"
@@ -215,6 +216,14 @@ TEST_CASE("ten digits take fewer than 3,000 evaluations at any aperture from 45Â
     CHECK(bihemispherical_reflectance(cavity, Conductor<double>(0.125, 3.34), 1e-10).evaluations < 3000);
     CHECK(bihemispherical_reflectance(cavity, Dielectric<double>(1.5), 1e-10).evaluations < 3000);
   }
+}
+
+TEST_CASE("critical angles cost no more than their cuts") {
+  // Without cuts where bounces become critical, twenty million evaluations do not suffice.
+  for (const auto& [aperture_deg, n, most] :
+       {std::tuple{60.0, 0.7, 30'000}, {45.0, 0.9, 100'000}, {100.0, 0.7, 12'000}})
+    CHECK(bihemispherical_reflectance(Cavity<double>(radians(aperture_deg)), Dielectric<double>(n), 1e-8)
+              .evaluations < most);
 }
 
 TEST_CASE("the tolerance is kept over random grooves and materials") {

@@ -177,3 +177,25 @@ TEST_CASE("light along the groove has the lobes that its rays tell of, those of 
             Approx(count * lobe.weight).margin(1.001));
   }
 }
+
+TEST_CASE("at a change of the bounce count no lobe is made of rounding errors") {
+  const Dielectric<double> glass(1.5);
+  int lobes_seen = 0;
+  for (const double aperture_deg : {20.0, 36.0, 45.0, 60.0, 72.0, 90.0, 100.0, 137.0}) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    for (const double kink : kinks(cavity))
+      for (int off = -4; off <= 4; ++off)
+        for (const double psi : {0.0, 0.3, 1.0}) {
+          const double theta = kink * (1 + off * std::numeric_limits<double>::epsilon() / 2);
+          const Vec3<double> e{std::sin(psi), std::cos(psi) * std::sin(theta),
+                               std::cos(psi) * std::cos(theta)};
+          if (e.z < 0) continue;
+          for (const auto& lobe : lobes(cavity, e, glass)) {
+            CAPTURE(aperture_deg, kink, off, psi);
+            CHECK(lobe.weight >= negligible_fraction<double>());
+            ++lobes_seen;
+          }
+        }
+  }
+  CHECK(lobes_seen > 1000);
+}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <utility>
 #include <vcavity/plan/planner.hpp>
 #include <vcavity/vcavity.hpp>
 
@@ -199,4 +202,69 @@ TEST_CASE("float keeps its bound on rounding in any direction, quantity and mode
     }
   }
   CHECK(largest_share > 0.05);  // the bound is no mere number that nothing could exceed
+}
+
+TEST_CASE("between the directions of a plan's grid, and towards grazing, nothing exceeds the bound") {
+  double largest_share = 0;
+  for (const Scene& scene :
+       {Scene{60, 1.5, 0}, {40, 1.33, 0}, {60, 100, 100}, {120, 1000, 1000}, {60, 2.5, 4}})
+    for (const double theta : {0.05, 0.3}) {
+      const Cavity<double> cavity = scene.cavity();
+      const Conductor<double> facet = scene.facet();
+      const detail::TriedFacet<Conductor<double>> tried(facet);
+      const detail::Omissions bound = detail::worst_omissions(cavity, tried, {theta});
+      constexpr int steps = 4000;
+      for (int i = 0; i < 2 * steps; ++i) {
+        // Evenly in the angle along the groove, and evenly in the logarithm of its cosine.
+        const double share = static_cast<double>(i % steps) / steps;
+        const double cos_psi = i < steps ? std::cos(share * pi<double>() / 2) : std::exp(-14 * share);
+        const double sin_psi = std::sqrt((1 - cos_psi) * (1 + cos_psi));
+        const Vec3<double> e{sin_psi, cos_psi * std::sin(theta), cos_psi * std::cos(theta)};
+        const detail::Omissions here = directional_reflectance(cavity, e, tried);
+        for (std::size_t k = 0; k <= detail::longest_cutoff; ++k) {
+          if (here[k] > bound[k]) FAIL_CHECK(scene.n << ' ' << theta << ' ' << cos_psi << ' ' << k);
+          if (bound[k] > 0) largest_share = std::max(largest_share, here[k] / bound[k]);
+        }
+      }
+    }
+  // The grid alone, without the margin of a fifth, would fall short.
+  CHECK(largest_share > 1 / 1.2);
+}
+
+TEST_CASE("bounds for diffuse light contain the error of their own quadrature") {
+  int below = 0;
+  for (const double aperture_deg : {22.0, 47.0, 75.0, 110.0})
+    for (const auto& [n, k] : {std::pair{1.5, 0.0}, {0.2, 3.4}, {0.7, 0.0}})
+      for (const double tolerance : {0.3, 0.03}) {
+        const Cavity<double> cavity(radians(aperture_deg));
+        const Conductor<double> facet(n, k);
+        const detail::TriedFacet<Conductor<double>> tried(facet);
+        const auto exact = bihemispherical_reflectance(cavity, tried, 1e-9);
+        const auto rough = bihemispherical_reflectance(cavity, tried, tolerance);
+        const detail::Omissions bounds = detail::mean_omissions(cavity, facet, tolerance);
+        for (const std::size_t omission : {std::size_t(0), std::size_t(1), detail::longest_cutoff}) {
+          CAPTURE(aperture_deg, n, k, tolerance, omission);
+          CHECK(bounds[omission] >= exact.value[omission] - 1e-8);
+          if (rough.value[omission] < exact.value[omission] - 1e-6) ++below;
+        }
+      }
+  CHECK(below > 10);  // without the error the bounds would be too small
+}
+
+TEST_CASE("the bound on rounding of strong metals holds where a cosine is off by ε towards grazing") {
+  const double epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
+  for (const double n : {10.0, 100.0, 1000.0}) {
+    const Conductor<double> facet(n, n);
+    const double bound = detail::rounding_per_bounce(detail::as_complex(facet.contrast()), epsilon);
+    double worst = 0;
+    for (int i = 1; i < 2000; ++i) {
+      const double cosine = std::exp(-14.0 * i / 2000);
+      const auto here = facet.amplitudes(cosine), there = facet.amplitudes(cosine + epsilon);
+      worst = std::max(
+          {worst, std::abs(norm(here.r_p) - norm(there.r_p)), std::abs(norm(here.r_s) - norm(there.r_s))});
+    }
+    CAPTURE(n, worst, bound);
+    CHECK(worst <= bound);
+    CHECK(worst > 0.2 * bound);
+  }
 }

@@ -104,6 +104,39 @@ TEST_CASE("the colour bar shows the colour map with the highest value on top") {
   }
 }
 
+TEST_CASE("the numbers of the colour bar stand at their values") {
+  Sheet sheet;
+  sheet.discs = {uniform(red), uniform(red)};
+  // Ticks at 0.3, 0.4 to 1: one at the upper end of the bar, none at the lower.
+  sheet.colour_bar = ColourBar{ColourMap::viridis, 0.25, 1, "reflectance"};
+  const Page page = drawn(sheet);
+  const Rgba8 white{255, 255, 255, 255};
+  const Patch discs = page.find(red);
+  const int level = static_cast<int>(discs.y);
+  int x = discs.right + 5;
+  while (x + 8 < page.width && page.at(x, level) == white) ++x;
+  const int inside = x + 8;
+  int top = level, bottom = level;
+  while (page.at(inside, top - 1) != white) --top;
+  while (page.at(inside, bottom + 1) != white) ++bottom;
+  int frame = inside;
+  while (page.at(frame + 1, level) != white) ++frame;
+  const auto marked = [&](double value) {
+    const int y = bottom - static_cast<int>(std::lround((bottom - top) * (value - 0.25) / 0.75));
+    for (int off = -2; off <= 2; ++off)
+      if (page.at(frame + 2, y + off) != white) return true;
+    return false;
+  };
+  for (const double value : {0.3, 0.5, 0.8, 0.9, 1.0}) {
+    CAPTURE(value);
+    CHECK(marked(value));
+  }
+  for (const double value : {0.25, 0.35, 0.75, 0.95}) {
+    CAPTURE(value);
+    CHECK_FALSE(marked(value));
+  }
+}
+
 TEST_CASE("the angle grid marks its circles at equal-area radii and leaves the rest of the disc alone") {
   Sheet sheet;
   sheet.discs = {uniform(blue)};

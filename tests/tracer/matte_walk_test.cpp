@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vcavity/matte/asymmetric_lambertian.hpp>
 #include <vcavity/matte/lambertian_cavity.hpp>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "tracer/statistics.hpp"
 
 using namespace agreement;
+using vcavity::AsymmetricLambertianCavity;
 using vcavity::Cavity;
 using vcavity::LambertianCavity;
 using vcavity::Vec3;
@@ -24,19 +27,35 @@ constexpr double length_of_grooves = 2000;  // in panel widths; walks end long b
 
 using Albedos = std::pair<double, double>;
 
+/// Equal grooves, and where light enters the middle one.
+struct Grooves {
+  tracer::Relief relief;
+  double left, right, top;  // the rims, and their height
+};
+
+Grooves symmetric(double aperture) {
+  const double half = std::sin(aperture / 2);
+  return {tracer::groove_array(aperture, 5, length_of_grooves), -half, half, std::cos(aperture / 2)};
+}
+
+/// Grooves of unit depth whose bisector is turned from z towards +y.
+Grooves tilted(double aperture, double tilt) {
+  const double left = std::tan(tilt - aperture / 2), right = std::tan(tilt + aperture / 2);
+  return {tracer::profile_array({{left, 1}, {0, 0}, {right, 1}}, 9, length_of_grooves), left, right, 1};
+}
+
 /// Averages values of walks. `start(u, uniform)` gives the direction towards the light.
 template <class Start, class Value>
-std::vector<ReplicatedMean> average(double aperture, int rays, std::uint64_t seed, std::size_t values,
+std::vector<ReplicatedMean> average(const Grooves& grooves, int rays, std::uint64_t seed, std::size_t values,
                                     const Start& start, const Value& value) {
-  const tracer::MatteWalker walker(tracer::groove_array(aperture, 5, length_of_grooves));
+  const tracer::MatteWalker walker(grooves.relief);
   Uniform uniform(seed);
   std::vector<ReplicatedMean> means(values);
   for (int replicate = 0; replicate < replicates; ++replicate) {
     for (int ray = 0; ray < rays / replicates; ++ray) {
       const Vec3<double> e = start(uniform);
-      const double across = (2 * uniform() - 1) * std::sin(aperture / 2);
-      const tracer::MatteWalk walk =
-          walker.walk(glm::dvec3(0, across, std::cos(aperture / 2)) + 1e-3 * e, -e, uniform);
+      const double across = grooves.left + uniform() * (grooves.right - grooves.left);
+      const tracer::MatteWalk walk = walker.walk(glm::dvec3(0, across, grooves.top) + 1e-3 * e, -e, uniform);
       for (std::size_t i = 0; i < values; ++i) means[i].add(walk.escaped ? value(i, walk) : 0);
     }
     for (ReplicatedMean& mean : means) mean.end_replicate();
@@ -75,7 +94,7 @@ TEST_CASE("matte panels lit from one direction reflect what random walks bring b
       const double aperture = vcavity::radians(aperture_deg);
       const Vec3<double> e = vcavity::direction(vcavity::radians(theta_deg), vcavity::radians(phi_deg));
       const auto means = average(
-          aperture, 1 << 17, 7, albedos.size(), [&](Uniform&) { return e; },
+          symmetric(aperture), 1 << 17, 7, albedos.size(), [&](Uniform&) { return e; },
           [](std::size_t i, const tracer::MatteWalk& walk) { return remaining(albedos[i], walk); });
       for (std::size_t i = 0; i < albedos.size(); ++i) {
         std::ostringstream what;
@@ -98,7 +117,7 @@ TEST_CASE("matte panels in diffuse light reflect what random walks bring back") 
   for (const double aperture_deg : {20.0, 45.0, 90.0, 150.0}) {
     const double aperture = vcavity::radians(aperture_deg);
     const auto means =
-        average(aperture, 1 << 18, 8, albedos.size(), diffuse,
+        average(symmetric(aperture), 1 << 18, 8, albedos.size(), diffuse,
                 [](std::size_t i, const tracer::MatteWalk& walk) { return remaining(albedos[i], walk); });
     const vcavity::InterreflectionKernel<double> kernel{Cavity<double>(aperture)};
     for (std::size_t i = 0; i < albedos.size(); ++i) {
@@ -123,7 +142,7 @@ TEST_CASE("the BRDF of matte panels sends light where random walks go") {
         const double aperture = vcavity::radians(aperture_deg);
         const Vec3<double> e = vcavity::direction(vcavity::radians(theta_deg), 0.4);
         const auto means = average(
-            aperture, 1 << 16, 9, ends_deg.size() - 1, [&](Uniform&) { return e; },
+            symmetric(aperture), 1 << 16, 9, ends_deg.size() - 1, [&](Uniform&) { return e; },
             [&](std::size_t i, const tracer::MatteWalk& walk) {
               const double out_deg = vcavity::degrees(std::atan2(walk.direction.y, walk.direction.z));
               return ends_deg[i] < out_deg && out_deg <= ends_deg[i + 1] ? remaining(pair, walk) : 0;
@@ -148,4 +167,40 @@ TEST_CASE("the BRDF of matte panels sends light where random walks go") {
         }
       }
   check_all(comparisons, 2e-3);
+}
+
+TEST_CASE("matte panels of unequal slope reflect what random walks bring back") {
+  std::vector<MeanComparison> comparisons;
+  const std::vector<Albedos> pairs{{0.5, 0.5}, {0.9, 0.3}, {0.0, 0.8}};
+  for (const auto& [aperture_deg, tilt_deg] :
+       {std::pair{60.0, 20.0}, {60.0, 45.0}, {100.0, -25.0}, {25.0, 40.0}}) {
+    const double aperture = vcavity::radians(aperture_deg), tilt = vcavity::radians(tilt_deg);
+    const vcavity::AsymmetricGroove<double> groove(aperture, tilt);
+    const auto remains = [&](std::size_t i, const tracer::MatteWalk& walk) {
+      return remaining(pairs[i], walk);
+    };
+    const auto compare = [&](const std::string& light, const auto& theory,
+                             const std::vector<ReplicatedMean>& means) {
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        std::ostringstream what;
+        what << "aperture " << aperture_deg << ", tilt " << tilt_deg << ", " << light << ", albedos "
+             << pairs[i].first << ", " << pairs[i].second;
+        const AsymmetricLambertianCavity<double> matte(groove, pairs[i].first, pairs[i].second);
+        comparisons.push_back({what.str(), theory(matte), means[i].mean(), means[i].standard_error()});
+      }
+    };
+    compare(
+        "diffuse", [](const auto& matte) { return matte.bihemispherical_reflectance(); },
+        average(tilted(aperture, tilt), 1 << 17, 10, pairs.size(), diffuse, remains));
+    for (const auto& [theta_deg, phi_deg] :
+         {std::pair{10.0, 30.0}, {60.0, 0.0}, {60.0, 180.0}, {82.0, 200.0}}) {
+      const Vec3<double> e = vcavity::direction(vcavity::radians(theta_deg), vcavity::radians(phi_deg));
+      std::ostringstream light;
+      light << "theta " << theta_deg << ", phi " << phi_deg;
+      compare(
+          light.str(), [&](const auto& matte) { return matte.directional_reflectance(e); },
+          average(tilted(aperture, tilt), 1 << 16, 11, pairs.size(), [&](Uniform&) { return e; }, remains));
+    }
+  }
+  check_all(comparisons, 3e-3);
 }
