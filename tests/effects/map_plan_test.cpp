@@ -118,3 +118,46 @@ TEST_CASE("a tolerance below what storage rounds away is refused, and one for a 
   request.polarization = Polarization::full;
   CHECK_THROWS_AS(plan_precision(request, 1e-3, ExrNumber::float32), UsageError);
 }
+
+TEST_CASE("a tolerance alone chooses float under films too, but not for absorptances") {
+  std::mt19937_64 random(419);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const char* material : {"Ti", "Si", "1.5"})
+    for (const double tolerance : {1e-3, 1e-7}) {
+      MapRequest request = request_for(material, 20 + 160 * unit(random));
+      request.surface.films = {{load_material("SiO2-Malitson"), 300 * unit(random)},
+                               {load_material("TiO2-Siefke"), 200 * unit(random)}};
+      request.wavelengths_nm = {450, 550, 650};
+      request.size = 24;
+      const MapPlan plan = plan_precision(request, tolerance, ExrNumber::float32);
+      CAPTURE(material, request.surface.aperture_deg, tolerance, plan.explanation);
+      CHECK(plan.request.precision ==
+            (tolerance > 1e-4 ? Precision::single_precision : Precision::double_precision));
+      const auto expected = DiscMapper(request).rows(0, request.size);
+      const auto planned = DiscMapper(plan.request).rows(0, request.size);
+      for (std::size_t channel = planned.size() - 3; channel < planned.size(); ++channel)
+        for (std::size_t i = 0; i < planned[channel].size(); ++i)
+          CHECK(std::abs(static_cast<double>(planned[channel][i]) -
+                         static_cast<double>(expected[channel][i])) <= plan.bound);
+      request.quantity = Quantity::absorptance;
+      CHECK_THROWS_AS(plan_precision(request, tolerance, ExrNumber::float32), UsageError);
+    }
+}
+
+TEST_CASE("a map of a groove under films is its own mirror image, and that of single directions") {
+  MapRequest request = request_for("Ti", 45);
+  request.surface.films = {{load_material("TiO2-Siefke"), 60}};
+  request.wavelengths_nm = {550};
+  request.polarization = Polarization::full;
+  request.size = 16;
+  const DiscMapper mapper(request);
+  const auto planes = mapper.rows(0, request.size);
+  const auto surface = make_surface(request.surface, 550, {Polarization::full, all_bounces});
+  for (int row = 0; row < request.size; ++row)
+    for (int column = 0; column < request.size; ++column) {
+      const auto e = pixel_direction(column, row, request.size);
+      const std::size_t pixel = static_cast<std::size_t>(row * request.size + column);
+      const double expected = e ? surface->reflectance(*e).unpolarized : 0;
+      CHECK(std::abs(static_cast<double>(planes[0][pixel]) - expected) < 1e-7);
+    }
+}

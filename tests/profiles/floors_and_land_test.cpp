@@ -345,3 +345,23 @@ TEST_CASE("two materials meet in the middle of a plane") {
       bihemispherical_reflectance(Land(plane, 0.2), FaceFacets{silver, glass, silver, glass}, 1e-12);
   CHECK(std::abs(both.value - (0.4 * silver_alone + 0.6 * glass_alone)) < 1e-12);
 }
+
+TEST_CASE("between walls a few minutes of arc from vertical the weights over a floor keep eleven digits") {
+  Dice dice(433);
+  for (const double one_deg : {85.0, 89.9, 90.0})
+    for (const double two_deg : {60.0, 89.0, 89.9})
+      for (const double floor : {0.01, 0.5, 50.0}) {
+        const double one = radians(one_deg), two = radians(two_deg);
+        const TruncatedGroove<double> groove(one, two, floor);
+        for (int trial = 0; trial < 20; ++trial) {
+          const Vec3<double> e = dice.light(85);
+          std::map<std::string, long double> weights;
+          for (const auto& pencil :
+               IntervalTracing<long double>(groove_edges<long double>(one, two, floor))(Vec3<long double>(e)))
+            weights[pencil.way] += pencil.weight;
+          CAPTURE(one_deg, two_deg, floor);
+          for (const auto& lobe : lobes(groove, e, mirror))
+            CHECK(std::abs(static_cast<long double>(lobe.weight) - weights[lobe.path.text()]) < 5e-12L);
+        }
+      }
+}

@@ -20,8 +20,8 @@
 /// other groove, for nothing rises above the plane of the rims. A direction has at most five lobes, six where a wall
 /// overhangs (found by trial over 8·10⁷ directions); three, or four, of the same first panel are proved.
 ///
-/// When not to use it: `Cavity` is faster where the panels are equal. And where α is known, pass it: formed of two
-/// slopes it loses the digits by which π is larger.
+/// When not to use it: `Cavity` is faster where the panels are equal. And where α is known, pass it: two
+/// rounded slopes of a narrow groove have lost some of its digits.
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,9 @@ class AsymmetricGroove {
               << " and " << two;
       throw_invalid_argument(message.str());
     }
-    return {pi<Real>() - one - two, (one - two) / Real(2)};
+    using std::sin;
+    // The sine of π as it is rounded is what it lacks.
+    return {(pi<Real>() - one - two) + sin(pi<Real>()), (one - two) / Real(2)};
   }
 
   /// The angle α between the panels.

@@ -16,7 +16,7 @@
 /// weights of a direction add up to 1 whatever the rounding, also for grazing light.
 ///
 /// Validity: slopes in (0, 90°], not both 90° (`Trench`), and any floor. Within a few minutes of arc of vertical walls
-/// O lies far below and weights lose digits: 2e-13 in double at 89°. Overhanging walls with a floor are not covered:
+/// O lies far below and weights lose digits: 2e-12 in double at 89.9°. Overhanging walls with a floor are not covered:
 /// light then comes back to the floor.
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class TruncatedGroove {
     for (const Real& slope : slopes_)
       if (!(slope > Real(0) && slope <= half_pi * (Real(1) + rounding)))
         refuse("the slopes of a groove with a floor must lie in (0, π/2] radians, not ", slope);
-    aperture_ = (half_pi - slope_one) + (half_pi - slope_two);
+    aperture_ = from_vertical(slope_one) + from_vertical(slope_two);
     if (!(aperture_ > rounding))
       refuse("the walls of a groove that narrows must not both be vertical, not ", slope_one);
     if (!(floor >= Real(0) && floor <= std::numeric_limits<Real>::max()))
@@ -108,6 +108,13 @@ class TruncatedGroove {
     throw_invalid_argument(text.str());
   }
 
+  /// π/2 − slope, with the digits by which π/2 differs from its rounded value, which is the cosine of that.
+  static Real from_vertical(const Real& slope) {
+    using std::cos;
+    const Real half_pi = pi<Real>() / Real(2);
+    return (half_pi - slope) + cos(half_pi);
+  }
+
   /// A range of distances from O.
   struct Interval {
     Real low, high;
@@ -137,9 +144,8 @@ class TruncatedGroove {
       width_ = groove.opening_ * e.z;
       const Real facing = first == Panel::one ? e.y : Real(-e.y);
       theta_ = atan2(facing, e.z);
-      const Real half_pi = pi<Real>() / Real(2);
-      phi_0_ = theta_ - (half_pi - groove.slope(opposite(first)));
-      phi_1_ = (half_pi - groove.slope(first)) + theta_;
+      phi_0_ = theta_ - from_vertical(groove.slope(opposite(first)));
+      phi_1_ = from_vertical(groove.slope(first)) + theta_;
       base_ = at_least(rim(0), Real(0));
     }
 

@@ -81,8 +81,8 @@ std::string counts(const BounceZone& zone) {
 /// Lines between zones of different numbers of bounces, and the numbers. Where lines would merge some are
 /// left out.
 void add_contours(DiscMap& disc, const SurfaceDescription& surface) {
-  if (!is_bare_symmetric_groove(surface))
-    throw UsageError("--contours: are known of bare symmetric grooves only, not of " + in_words(surface));
+  if (!is_symmetric_groove(surface))
+    throw UsageError("--contours: are known of symmetric grooves only, not of " + in_words(surface));
   constexpr double closest = 0.02;  // in radii
   constexpr double margin = 0.04;
   double last = -1;
