@@ -17,8 +17,8 @@ using Lanes = Pack<Real, native_lanes<Real>>;
 
 // All calls become part of it, as in the kernel.
 template <class Real>
-__attribute__((flatten)) Real sum_of_reflectances(std::span<const RefractiveIndex> indices,
-                                                  std::span<const Real> cosines) {
+VCAVITY_FLATTEN Real sum_of_reflectances(std::span<const RefractiveIndex> indices,
+                                         std::span<const Real> cosines) {
   constexpr std::size_t lanes = native_lanes<Real>;
   Lanes<Real> sum(0);
   for (std::size_t start = 0; start < indices.size(); start += lanes) {

@@ -13,15 +13,15 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
-[[gnu::noinline]] void* operator new(std::size_t size) {
+VCAVITY_NOINLINE void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
+VCAVITY_NOINLINE void operator delete(void* memory) noexcept {
   std::free(memory);
 }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+VCAVITY_NOINLINE void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
@@ -64,6 +64,42 @@ long allocations_of(const Facet& facet) {
   return count;
 }
 
+/// The allocations of all calls for a rough surface.
+template <class Distribution, class Facet>
+long allocations_of_rough(const Distribution& distribution, const Facet& facet) {
+  using Real = scalar_t<Distribution>;
+  const RoughGrooveBsdf bsdf(distribution, facet);
+  volatile Real kept = 0;
+  const long before = allocations;
+  for (const Real theta : {Real(0), Real(0.7), Real(1.5)}) {
+    const Vec3<Real> wo = direction(theta, Real(0.3));
+    for (const Real u : {Real(0), Real(0.4), Real(1)})
+      if (const auto sample = bsdf.sample(wo, u, Vec2<Real>(Real(0.3), u)))
+        kept = kept + largest(unpolarized(sample->weight)) + bsdf.pdf(wo, sample->direction) +
+               largest(unpolarized(bsdf.evaluate(wo, sample->direction))) +
+               largest(unpolarized(bsdf.evaluate_bounces(wo, sample->direction, 2)));
+  }
+  return allocations - before;
+}
+
+/// The allocations of the reflectances of a groove of another shape.
+template <class Shape, class Facet>
+long allocations_of_shape(const Shape& shape, const Facet& facet) {
+  using Real = typename Shape::value_type;
+  volatile Real kept = 0;
+  const long before = allocations;
+  for (const Real theta : {Real(0), Real(0.7), Real(1.5)}) {
+    const Vec3<Real> e = direction(theta, Real(0.3));
+    kept = kept + largest(unpolarized(directional_reflectance(shape, e, facet))) +
+           largest(unpolarized_reflectance(shape, e, facet)) + mean_bounces(shape, e);
+    if constexpr (UnfoldableGroove<Shape, Real>)
+      kept = kept + use(GrooveBsdf(shape, facet), e, Real(0.4)) +
+             use(SpreadGrooveBsdf(GrooveBsdf(shape, facet), Real(0.02)), e, Real(0.4),
+                 Vec2<Real>(Real(0.3), Real(0.6)));
+  }
+  return allocations - before;
+}
+
 }  // namespace
 
 TEST_CASE("the counter counts") {
@@ -88,4 +124,61 @@ TEMPLATE_TEST_CASE("no call for a path allocates, from the first on", "", float,
   CHECK(allocations_of<Real>(Conductor<Colour>(Colour(Real(0.3)), Colour(Real(3)))) == 0);
   using Spectrum = Pack<Real, 8>;
   CHECK(allocations_of<Real>(Conductor<Spectrum>(Spectrum(Real(0.3)), Spectrum(Real(3)))) == 0);
+}
+
+TEMPLATE_TEST_CASE("no call for a path that meets a film allocates", "", float, double) {
+  using Real = TestType;
+  const Conductor<Real> silver(Real(0.1249), Real(3.3391));
+  const Film<Real> film(Real(1.5), Real(0), Real(0.4));
+  CHECK(allocations_of<Real>(Coated(silver, film)) == 0);
+  CHECK(allocations_of<Real>(polarized(Coated(silver, film, film))) == 0);
+}
+
+TEMPLATE_TEST_CASE("no call for a path on a rough surface allocates", "", float, double) {
+  using Real = TestType;
+  const Conductor<Real> silver(Real(0.1249), Real(3.3391));
+  const GgxSlopes<Real> ggx(Real(0.3));
+  const BeckmannSlopes<Real> beckmann(Real(0.1), Real(0.4));
+  const TabulatedSlopes<Real> table({{Real(0.3), Real(1)}, {Real(2), Real(0)}});
+  const auto of = [&](const auto& facet) {
+    return allocations_of_rough(ggx, facet) + allocations_of_rough(beckmann, facet) +
+           allocations_of_rough(table, facet) +
+           allocations_of_rough(BrushedSlopes(BeckmannSlopes<Real>(Real(0.2)), Real(5)), facet) +
+           allocations_of_rough(MixedSlopes(ggx, beckmann, Real(0.4)), facet);
+  };
+  CHECK(of(silver) == 0);
+  CHECK(of(polarized(silver)) == 0);
+  using Spectrum = Pack<Real, 8>;
+  CHECK(of(Conductor<Spectrum>(Spectrum(Real(0.3)), Spectrum(Real(3)))) == 0);
+  const RoughAlbedoTable<Real> albedo(ggx, silver, Real(1e-2), 8);
+  volatile Real kept = 0;
+  const long before = allocations;
+  kept = kept + albedo(direction(Real(0.7), Real(0.3)));
+  CHECK(allocations == before);
+}
+
+TEMPLATE_TEST_CASE("no call for a path on a matte groove allocates", "", float, double) {
+  using Real = TestType;
+  const LambertianGrooveBsdf<Real> bsdf(
+      LambertianCavity<Real>(Cavity<Real>(radians(Real(40))), Real(0.8), Real(0.3)));
+  volatile Real kept = 0;
+  const long before = allocations;
+  for (const Real theta : {Real(0), Real(0.2), Real(0.7), Real(1.5)}) {
+    const Vec3<Real> wo = direction(theta, Real(0.3));
+    kept = kept + bsdf.albedo(wo);
+    if (const auto sample = bsdf.sample(wo, Vec2<Real>(Real(0.1), Real(0.6))))
+      kept = kept + sample->weight + bsdf.pdf(wo, sample->direction) + bsdf.evaluate(wo, sample->direction);
+  }
+  CHECK(allocations == before);
+}
+
+TEMPLATE_TEST_CASE("no reflectance of a groove of another shape allocates", "", float, double) {
+  using Real = TestType;
+  const Conductor<Real> silver(Real(0.1249), Real(3.3391));
+  const AsymmetricGroove<Real> blazed = AsymmetricGroove<Real>::from_slopes(Real(0.3), Real(1.2));
+  CHECK(allocations_of_shape(blazed, silver) == 0);
+  CHECK(allocations_of_shape(blazed, polarized(silver)) == 0);
+  CHECK(allocations_of_shape(Land(blazed, Real(0.2)), silver) == 0);
+  CHECK(allocations_of_shape(TruncatedGroove<Real>(Real(0.3), Real(1.2), Real(0.5)), silver) == 0);
+  CHECK(allocations_of_shape(Trench<Real>(Real(0.5)), polarized(silver)) == 0);
 }

@@ -35,7 +35,7 @@ static_assert(!std::is_reference_v<decltype(std::declval<Lobes<double, double>>(
 static_assert(!std::is_reference_v<decltype(std::declval<VonMisesFisher<double>>().concentration())>);
 
 /// Writes over what the functions called before have left on the stack.
-[[gnu::noinline]] double overwrite_stack() {
+VCAVITY_NOINLINE double overwrite_stack() {
   volatile double numbers[512];
   for (volatile double& x : numbers) x = -1;
   return numbers[17];

@@ -4,7 +4,6 @@
 ///
 /// Underflow is no mistake here: the product of many small reflectances is 0.
 
-#include <fenv.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,50 +15,15 @@
 
 #include "support/catch.hpp"
 #include "support/hard_directions.hpp"
+#include "traps/traps.hpp"
 
 using namespace vcavity;
 using vcavity::test::hard_directions;
+using vcavity::test::Sink;
+using vcavity::test::Traps;
+using vcavity::test::use_bsdf;
 
 namespace {
-
-/// Arms the traps as long as it lives.
-class Traps {
- public:
-  Traps() {
-    feclearexcept(FE_ALL_EXCEPT);
-    feenableexcept(trapped);
-  }
-  ~Traps() {
-    fedisableexcept(trapped);
-    feclearexcept(FE_ALL_EXCEPT);
-  }
-  Traps(const Traps&) = delete;
-  Traps& operator=(const Traps&) = delete;
-
- private:
-  static constexpr int trapped = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
-};
-
-/// Takes results, so that no compiler leaves out their computation.
-template <class T>
-class Sink {
- public:
-  void operator()(const T& result) {
-    last_ = result;
-    ++count_;
-  }
-  void operator()(const Amplitudes<T>& r) {
-    for (const T& part : {r.r_s.re, r.r_s.im, r.r_p.re, r.r_p.im}) (*this)(part);
-  }
-  void operator()(const Vec3<T>& v) {
-    for (const T& part : {v.x, v.y, v.z}) (*this)(part);
-  }
-  int count() const { return count_; }
-
- private:
-  volatile T last_ = T(0);
-  int count_ = 0;
-};
 
 template <class T>
 struct Index {
@@ -103,8 +67,8 @@ std::vector<T> hard_apertures() {
 }
 
 template <class T>
-[[gnu::noinline]] void use_facets(const std::vector<Index<T>>& indices, const std::vector<T>& cosines,
-                                  Sink<T>& sink) {
+VCAVITY_NOINLINE void use_facets(const std::vector<Index<T>>& indices, const std::vector<T>& cosines,
+                                 Sink<T>& sink) {
   const Traps traps;
   const auto use = [&](const auto& facet, const T& c) {
     sink(facet(c));
@@ -122,21 +86,8 @@ template <class T>
     }
 }
 
-/// All that a renderer asks of a BSDF.
-template <class Bsdf, class T, class... Random>
-void use_bsdf(const Bsdf& bsdf, const Vec3<T>& wo, Sink<T>& sink, const Random&... random) {
-  sink(largest(unpolarized(bsdf.albedo(wo))));
-  for (const Transport transport : {Transport::radiance, Transport::importance})
-    if (const auto sample = bsdf.sample(wo, random..., transport)) {
-      sink(largest(unpolarized(sample->weight)));
-      sink(sample->probability);
-      sink(bsdf.pdf(wo, sample->direction));
-      sink(largest(unpolarized(bsdf.evaluate(wo, sample->direction))));
-    }
-}
-
 template <class T>
-[[gnu::noinline]] void use_films(const std::vector<T>& cosines, Sink<T>& sink) {
+VCAVITY_NOINLINE void use_films(const std::vector<T>& cosines, Sink<T>& sink) {
   const Traps traps;
   // The ends of the ranges, epsilon-near-zero films, films that are not there.
   for (const T& n : {T(2e-4), T(1), T(1.5), T(5e3)})
@@ -159,8 +110,8 @@ template <class T>
 }
 
 template <class T>
-[[gnu::noinline]] void use_groove(const Cavity<T>& cavity, const Vec3<T>& e, const Conductor<T>& facet,
-                                  Sink<T>& sink) {
+VCAVITY_NOINLINE void use_groove(const Cavity<T>& cavity, const Vec3<T>& e, const Conductor<T>& facet,
+                                 Sink<T>& sink) {
   const Traps traps;
   for (const auto& lobe : lobes(cavity, e, facet)) {
     sink(lobe.weight);
@@ -205,7 +156,7 @@ template <class T>
 }
 
 template <class T>
-[[gnu::noinline]] void use_hemisphere(const Cavity<T>& cavity, const Conductor<T>& facet, Sink<T>& sink) {
+VCAVITY_NOINLINE void use_hemisphere(const Cavity<T>& cavity, const Conductor<T>& facet, Sink<T>& sink) {
   const Traps traps;
   sink(bihemispherical_reflectance(cavity, facet, T(1e-3)).value);
   sink(bihemispherical_reflectance(cavity, polarized(facet), T(1e-3)).value);

@@ -262,7 +262,9 @@ class InterreflectionKernel {
             const Real half_sinh = sinh(y / Real(2));
             const Real beyond = Real(2) * aperture * half_sinh * half_sinh;
             const Real weight = node.weight * half_width * aperture * sinh(y);
-            const Real root = sqrt(sin(beyond / Real(2)) * sin(aperture + beyond / Real(2)));
+            // The nearest float to π lies above π.
+            const Real product = sin(beyond / Real(2)) * sin(aperture + beyond / Real(2));
+            const Real root = sqrt(at_least(product, Real(0)));
             const Real angle = aperture + beyond;
             outer_.push_back(
                 {angle, weight * root, weight * sin_half * sin_half / (sin(angle / Real(2)) + root)});

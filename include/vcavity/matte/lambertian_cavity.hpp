@@ -63,9 +63,9 @@ struct Footprint {
   Footprint(const Cavity<Real>& cavity, const Vec3<Real>& e) {
     using std::abs;
     const Real across = abs(e.y) * cavity.cos_half();
-    const Real along = e.z * cavity.sin_half();
+    const Real along = at_least(e.z, cavity.least_up()) * cavity.sin_half();  // so inverse lengths are finite
     if (across <= along) {
-      const Real tilt = along > Real(0) ? e.y * cavity.cos_half() / along : Real(0);
+      const Real tilt = e.y * cavity.cos_half() / along;
       on_one = (Real(1) + tilt) / Real(2);
       on_two = (Real(1) - tilt) / Real(2);
       start = Real(0);

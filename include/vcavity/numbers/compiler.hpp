@@ -24,6 +24,14 @@
 #define VCAVITY_NOINLINE
 #endif
 
+/// Marks a function of which everything that it calls becomes part: a call would write its packs to memory and read
+/// them again.
+#if defined(__GNUC__)
+#define VCAVITY_FLATTEN __attribute__((flatten))
+#else
+#define VCAVITY_FLATTEN
+#endif
+
 /// Turns the number type of a typedef into a vector of so many bytes, of which the usual operators do all
 /// components at once.
 #if defined(__GNUC__)

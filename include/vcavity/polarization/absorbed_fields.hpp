@@ -80,6 +80,9 @@ struct FieldBalance {
     return {first.field * second.field, first.absorbed + absorbed_behind(first.field, second.absorbed)};
   }
   friend value_type largest(const FieldBalance& a) { return largest(a.field); }
+  friend FieldBalance at_most(const FieldBalance& a, const value_type& ceiling) {
+    return {at_most(a.field, ceiling), a.absorbed};
+  }
 };
 
 /// Of the lobes of a direction it is the absorbed powers that add up here.

@@ -3,6 +3,8 @@
 
 /// Jones matrices: what a sequence of reflections does to the field of a fully polarised wave.
 
+#include <cmath>
+
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/numbers/complex.hpp"
 #include "vcavity/numbers/components.hpp"
@@ -42,6 +44,16 @@ struct Jones {
     for (const Complex<Value>* element : {&a.aa, &a.ab, &a.ba, &a.bb})
       result = at_least(result, at_least(largest(element->re), largest(element->im)));
     return result;
+  }
+
+  /// The matrix scaled down, if need be, so that no axis of the incident field leaves with an amplitude beyond `ceiling`.
+  friend Jones at_most(const Jones& a, const value_type& ceiling) {
+    using std::sqrt;
+    const value_type power =
+        at_least(largest(Value(norm(a.aa) + norm(a.ba))), largest(Value(norm(a.ab) + norm(a.bb))));
+    if (!(power > ceiling * ceiling)) return a;
+    const Value scale(ceiling / value_type(sqrt(power)));
+    return {scale * a.aa, scale * a.ab, scale * a.ba, scale * a.bb};
   }
 };
 

@@ -67,9 +67,9 @@ class Trench {
     assert(e.z >= Real(0));
     const Real sideways = magnitude(e.y);
     const Real most(most_walls);
-    // X, without a division that might overflow
+    // X, without a division that might overflow, or be one by an underflow
     const Real way = Real(2) * sideways < most * floor_over_depth_ * e.z
-                         ? Real(Real(2) * sideways / (floor_over_depth_ * e.z))
+                         ? Real(Real(2) * sideways / (most * floor_over_depth_ * e.z) * most)
                          : most;
     const Panel facing = e.y < Real(0) ? Panel::two : Panel::one;
     const Bounce<Real> down{sideways, e.z, e.x, Panel::one, 1}, up{sideways, -e.z, e.x, Panel::one, 1};
@@ -121,6 +121,9 @@ class Trench {
     for (int pairs = count / 2; pairs > 0; pairs /= 2) {
       if (pairs % 2 != 0) product = product * power;
       power = power * power;
+      // Of many total reflections the rounding would grow beyond all numbers.
+      if constexpr (requires { at_most(power, scalar_t<Value>(1)); })
+        power = at_most(power, scalar_t<Value>(1));
     }
     return count % 2 == 0 ? product : product * single;
   }

@@ -58,7 +58,7 @@ class GaussWithSeries {
       nodes_[i] = {nodes[i].x, nodes[i].weight, {}};
       Real before(1), polynomial = nodes[i].x;
       for (std::size_t degree = 1, term = 0; term < terms; ++degree) {
-        const Real twice_and_one(static_cast<int>(2 * degree + 1));
+        const Real twice_and_one = static_cast<Real>(2 * degree + 1);
         if (degree == degrees[term])
           nodes_[i].projection[term++] = nodes[i].weight * polynomial * twice_and_one / Real(2);
         const Real next =

@@ -151,7 +151,8 @@ class BeckmannSlopes : public detail::EllipticSlopes<Real> {
   template <class Value>
   VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
     // Divided twice, because the fourth power of a small cosine vanishes.
-    const Value cosine2 = at_least(Value(m.z * m.z), std::numeric_limits<Real>::min());
+    // Far below where it does, the exponential is 0 for every roughness, and nothing overflows.
+    const Value cosine2 = at_least(Value(m.z * m.z), Real(Real(1e13) * std::numeric_limits<Real>::min()));
     return this->peak() * detail::exponential(Value(-this->stretched(m) / cosine2)) / cosine2 / cosine2;
   }
 

@@ -147,7 +147,7 @@ class ApertureKinks {
     const Real from_normal = atan2(Real(abs(e.y)), e.z);  // |θ'|
     add(Real(2) * from_normal);
     for (int k = 1; k <= most_bounces; ++k) {
-      const Real n(k);
+      const Real n = static_cast<Real>(k);
       add(half_turn / n);
       for (const Real& turn : {from_normal, Real(-from_normal)}) {
         add((half_turn + Real(2) * turn) / n);

@@ -37,7 +37,7 @@ LegendreTerms<Real> legendre_polynomials(const Real& x) {
   Real before(0), polynomial(1);
   for (std::size_t degree = 0; degree < GaussWithSeries<Real>::order; ++degree) {
     result[degree] = polynomial;
-    const Real n(static_cast<int>(degree));
+    const Real n = static_cast<Real>(degree);
     const Real next = ((Real(2) * n + Real(1)) * x * polynomial - n * before) / (n + Real(1));
     before = polynomial;
     polynomial = next;
@@ -140,7 +140,7 @@ Integral<unpolarized_t<Facet, scalar_t<Distribution>>> bihemispherical_reflectan
   detail::require_tolerance(tolerance, "bi-hemispherical reflectance");
   constexpr int last_count = 16;  // down to π/16 there is a kink that matters at every π/k
   constexpr int halvings = 6;
-  const Real narrowest(2e-4);  // narrower ones are 1e-8 of the area of GGX 1
+  const Real narrowest = static_cast<Real>(2e-4);  // narrower ones are 1e-8 of the area of GGX 1
   const Scalar part = tolerance / Scalar(4);
   detail::Quadrature<Value> sum{Value(0), Scalar(0), 0};
   Real high = pi<Real>();

@@ -220,7 +220,10 @@ class RoughGrooveBsdf {
     grooves.for_each(max_bounces, [&](const ConnectingGroove<Real>& groove) { visit(grooves, groove); });
   }
 
-  static bool is_density(const Real& x) { return x > Real(0) && x <= std::numeric_limits<Real>::max(); }
+  /// Whether a density is finite, and so is its inverse.
+  static bool is_density(const Real& x) {
+    return x >= smallest_divisor<Real>() && x <= std::numeric_limits<Real>::max();
+  }
 
   static auto scalar(const Real& x) { return static_cast<scalar_t<Value>>(x); }
 

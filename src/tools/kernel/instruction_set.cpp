@@ -12,10 +12,6 @@
 
 #include "tools/kernel/kernel.hpp"
 
-// Everything that a function calls becomes part of it: a call would write its packs to memory and read them
-// again.
-#define VCAVITY_INLINED __attribute__((flatten))
-
 namespace vcavity::tools {
 namespace {
 
@@ -30,22 +26,22 @@ void with_quantity(const KernelJob& job, const Cavity& cavity, const Facet& face
     using Model = std::remove_cvref_t<decltype(model)>;
     if (job.quantity == Quantity::absorptance) {
       use([&](const auto& e)
-              VCAVITY_INLINED { return unpolarized(directional_absorptance(cavity, e, model)); });
+              VCAVITY_FLATTEN { return unpolarized(directional_absorptance(cavity, e, model)); });
     } else if (job.quantity == Quantity::degree_of_polarization) {
       if constexpr (!std::is_same_v<Model, Facet>)
-        use([&](const auto& e) VCAVITY_INLINED {
+        use([&](const auto& e) VCAVITY_FLATTEN {
           return diattenuation(directional_reflectance(cavity, e, model, job.max_bounces));
         });
     } else {
       use([&](const auto& e)
-              VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
+              VCAVITY_FLATTEN { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
     }
   });
 }
 
 // Numbers from one on, the last of them repeated to fill a pack.
 template <class Real>
-[[gnu::always_inline]] inline Lanes<Real> loaded(const std::vector<double>& numbers, std::size_t start) {
+VCAVITY_INLINE Lanes<Real> loaded(const std::vector<double>& numbers, std::size_t start) {
   constexpr std::size_t lanes = native_lanes<Real>;
   if (start + lanes <= numbers.size()) return Lanes<Real>::load(&numbers[start]);
   std::array<double, lanes> values;
@@ -56,7 +52,7 @@ template <class Real>
 
 // Copies the first values of a pack. All are converted: that takes as long as to convert one.
 template <class Real>
-[[gnu::always_inline]] inline void copy_first(const Lanes<Real>& values, std::size_t count, double* target) {
+VCAVITY_INLINE void copy_first(const Lanes<Real>& values, std::size_t count, double* target) {
   std::array<double, native_lanes<Real>> numbers;
   std::copy(values.begin(), values.end(), numbers.begin());
   std::copy_n(numbers.begin(), count, target);
@@ -67,7 +63,7 @@ template <class Cavity, class Facet, class Use>
 void with_reflectance(const KernelJob& job, const Cavity& cavity, const Facet& facet, Use&& use) {
   with_polarization(job.polarization, facet, [&](const auto& model) {
     use([&](const auto& e)
-            VCAVITY_INLINED { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
+            VCAVITY_FLATTEN { return unpolarized_reflectance(cavity, e, model, job.max_bounces); });
   });
 }
 
