@@ -75,5 +75,31 @@ TEST_CASE("fields are cells one by one, and lists among them are enumerated in t
   CHECK(report.to_csv() == "material,films\nAg,1; 2\n");
 }
 
+TEST_CASE("the parts of a report stand under their headings in every format") {
+  Report report;
+  report.begin_section("Fast", {{"unit", "m"}});
+  report.add_row().add("length", 1);
+  report.add_row().add("length", 2);
+  report.begin_section("Slow");
+  report.add_row().add("length", 3).add("note", "late");
+  CHECK(report.to_markdown() ==
+        "| length   | note |\n"
+        "|----------|------|\n"
+        "| **Fast** |      |\n"
+        "| 1        |      |\n"
+        "| 2        |      |\n"
+        "| **Slow** |      |\n"
+        "| 3        | late |\n");
+  CHECK(report.to_csv() ==
+        "section,length,note\n"
+        "Fast,1,\n"
+        "Fast,2,\n"
+        "Slow,3,late\n");
+  const auto json = nlohmann::ordered_json::parse(report.to_json());
+  REQUIRE(json["sections"].size() == 2);
+  CHECK(json["sections"][0].dump() == R"({"title":"Fast","unit":"m","rows":[{"length":1},{"length":2}]})");
+  CHECK(json["sections"][1].dump() == R"({"title":"Slow","rows":[{"length":3,"note":"late"}]})");
+}
+
 }  // namespace
 }  // namespace vcavity::tools::testing

@@ -12,6 +12,7 @@
 #include "tools/images/plot.hpp"
 #include "tools/images/progress.hpp"
 #include "tools/materials/provenance.hpp"
+#include "tools/support/report.hpp"
 #include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
@@ -27,30 +28,6 @@ struct CostOptions {
   Length length = Length::one_screen;
   std::string plot;
 };
-
-/// Two digits, or a whole number where that is short.
-std::string rounded(double value) {
-  return value < 100 || value >= 1e5 ? with_digits(value, 2) : with_decimals(value, 0);
-}
-
-std::string in_seconds(double seconds) {
-  const auto scaled = [seconds](double unit, const char* name) {
-    return rounded(seconds / unit).append(" ").append(name);
-  };
-  if (seconds < 1e-3) return scaled(1e-6, "us");
-  if (seconds < 1) return scaled(1e-3, "ms");
-  return scaled(1, "s");
-}
-
-/// How much sooner than the first method of its section; nothing for the first method itself.
-std::string speed_up(const CostSection& section, const Measurement& row) {
-  // An extrapolation beyond this says no more than "never".
-  constexpr double most = 1e9;
-  const double factor = seconds_of_first_method(section, row.error) / row.seconds;
-  if (row.method == section.rows.front().method) return "";
-  if (!(factor < most)) return "> 1e9";
-  return rounded(factor);
-}
 
 /// Whether other methods of a section are compared with its first one.
 bool compares(const CostSection& section) {
@@ -68,56 +45,35 @@ std::vector<Measurement> extremes(const std::vector<Measurement>& rows) {
   return result;
 }
 
-/// One table of all sections; in the short one the rows that tell the story on one screen.
-TextTable table_of(const std::vector<CostSection>& sections, Length length) {
-  TextTable table{{"method", "setting", "error", "time", "speed-up", "evaluations"}, {}};
-  for (const CostSection& section : sections) {
-    table.rows.push_back({"**" + section.title + "**"});
-    table.rows.back().resize(table.heading.size());
-    for (const Measurement& row : length == Length::whole ? section.rows : extremes(section.rows))
-      table.rows.push_back({row.method, row.setting, with_digits(row.error, 2), in_seconds(row.seconds),
-                            compares(section) ? speed_up(section, row) : "",
-                            row.evaluations > 0 ? std::to_string(row.evaluations) : ""});
-  }
-  return table;
+/// How much sooner than the first method of its section; that one has no such cell.
+void add_speed_up(ReportRow& line, const CostSection& section, const Measurement& row) {
+  // An extrapolation beyond this says no more than "never".
+  constexpr double most = 1e9;
+  if (!compares(section) || row.method == section.rows.front().method) return;
+  const double factor = seconds_of_first_method(section, row.error) / row.seconds;
+  if (factor < most)
+    line.add("speed_up", factor, with_digits(factor, 2));
+  else
+    line.add_null("speed_up", "> 1e9");
 }
 
-void print_markdown(const std::vector<CostSection>& sections, const Material& material,
-                    const std::string& groove, Length length) {
-  std::cout << "What accuracy costs: " << material.name() << ", " << groove << "\n\n"
-            << to_markdown(table_of(sections, length)) << '\n';
-  for (const CostSection& section : sections)
-    std::cout << "- " << section.title << ": " << section.error << '\n';
-  std::cout << "- speed-up: over the midpoint rule, its time extrapolated to the same error\n";
-  std::cout << "- " << in_one_line(material) << '\n';
-  if (length == Length::one_screen)
-    std::cout << "- first and last setting of each method; --all shows every one\n";
-}
-
-void print_csv(const std::vector<CostSection>& sections, std::vector<std::string> provenance) {
-  TextTable table{{"section", "method", "setting", "error", "seconds", "evaluations"}, {}};
+/// All sections; in the short one the rows that tell the story on one screen.
+Report report_of(const std::vector<CostSection>& sections, Length length) {
+  Report report;
   for (const CostSection& section : sections) {
-    provenance.push_back(section.title + ": " + section.error);
-    for (const Measurement& row : section.rows)
-      table.rows.push_back({section.title, row.method, row.setting, exact(row.error), exact(row.seconds),
-                            std::to_string(row.evaluations)});
+    report.begin_section(section.title, {{"error", section.error}});
+    for (const Measurement& row : length == Length::whole ? section.rows : extremes(section.rows)) {
+      ReportRow& line = report.add_row();
+      line.add("method", row.method)
+          .add("setting", row.setting)
+          .add("error", row.error, with_digits(row.error, 2))
+          .add("seconds", row.seconds, with_digits(row.seconds, 2));
+      add_speed_up(line, section, row);
+      line.add("evaluations", row.evaluations, row.evaluations > 0 ? "" : "-");
+    }
+    report.tell(section.title + ": " + section.error);
   }
-  std::cout << to_csv(table, provenance);
-}
-
-void print_json(const std::vector<CostSection>& sections, nlohmann::ordered_json json) {
-  json["sections"] = nlohmann::ordered_json::array();
-  for (const CostSection& section : sections) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const Measurement& row : section.rows)
-      rows.push_back({{"method", row.method},
-                      {"setting", row.setting},
-                      {"error", row.error},
-                      {"seconds", row.seconds},
-                      {"evaluations", row.evaluations}});
-    json["sections"].push_back({{"title", section.title}, {"error", section.error}, {"rows", rows}});
-  }
-  std::cout << json.dump(2) << '\n';
+  return report;
 }
 
 /// Error against time, one line for each method.
@@ -183,16 +139,24 @@ void run_cost(const CostOptions& options) {
     write_plot(file, plot_of(sections.front(), in_one_line(material) + ", " + groove));
     file.commit();
   }
-  if (options.format == Format::json) {
-    nlohmann::ordered_json about = fields_of(surface);
-    about.update({{"source", material.reference()}, {"software", software()}, {"command", command_line()}});
-    about.update({{"wavelength_nm", options.wavelength_nm}, {"n", index.n}, {"k", index.k}});
-    print_json(sections, about);
-  } else if (options.format == Format::csv) {
-    print_csv(sections, provenance_lines(material));
-  } else {
-    print_markdown(sections, material, groove, options.length);
-  }
+  const Length length = options.format == Format::md ? options.length : Length::whole;
+  Report report = report_of(sections, length);
+  report.title = "What accuracy costs: " + material.name() + ", " + groove;
+  if (compares(sections.front()))
+    report.tell("speed_up: over the midpoint rule, its time extrapolated to the same error");
+  if (length == Length::one_screen)
+    report.notes.push_back("first and last setting of each method; --all shows every one");
+  report.notes.push_back(in_one_line(material));
+  const std::vector<std::string> origin = provenance_lines(material);
+  report.provenance.insert(report.provenance.begin(), origin.begin(), origin.end());
+  report.head = fields_of(surface);
+  report.head.update({{"source", material.reference()},
+                      {"software", software()},
+                      {"command", command_line()},
+                      {"wavelength_nm", options.wavelength_nm},
+                      {"n", index.n},
+                      {"k", index.k}});
+  std::cout << report.in(options.format);
 }
 
 }  // namespace

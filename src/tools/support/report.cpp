@@ -88,33 +88,64 @@ void Report::tell(const std::string& origin) {
   provenance.push_back(origin);
 }
 
+void Report::begin_section(const std::string& heading, const nlohmann::ordered_json& members) {
+  sections_.push_back({heading, members, rows_.size()});
+}
+
 std::string Report::to_markdown() const {
   std::string text = title.empty() ? "" : title + "\n\n";
-  text += tools::to_markdown(table_of(columns(), rows_, [](const ReportRow& row, const std::string& column) {
+  TextTable table = table_of(columns(), rows_, [](const ReportRow& row, const std::string& column) {
     return found(row.cells_, column, &ReportRow::Cell::markdown);
-  }));
+  });
+  // From the last one, so that the places of the others stay right.
+  for (auto section = sections_.rbegin(); section != sections_.rend(); ++section) {
+    std::vector<std::string> line(table.heading.size());
+    line.front() = "**" + section->heading + "**";
+    table.rows.insert(table.rows.begin() + static_cast<std::ptrdiff_t>(section->first_row), line);
+  }
+  text += tools::to_markdown(table);
   if (!notes.empty()) text += '\n';
   for (const std::string& note : notes) text.append("- ").append(note).append("\n");
   return text;
 }
 
 std::string Report::to_csv() const {
-  return tools::to_csv(table_of(columns(), rows_,
-                                [](const ReportRow& row, const std::string& column) {
-                                  return found(row.cells_, column, &ReportRow::Cell::csv);
-                                }),
-                       provenance);
+  TextTable table = table_of(columns(), rows_, [](const ReportRow& row, const std::string& column) {
+    return found(row.cells_, column, &ReportRow::Cell::csv);
+  });
+  if (!sections_.empty()) {
+    table.heading.insert(table.heading.begin(), "section");
+    for (std::size_t section = 0, row = 0; row < rows_.size(); ++row) {
+      while (section + 1 < sections_.size() && sections_[section + 1].first_row <= row) ++section;
+      table.rows[row].insert(table.rows[row].begin(), sections_[section].heading);
+    }
+  }
+  return tools::to_csv(table, provenance);
+}
+
+nlohmann::ordered_json Report::json_of_rows(std::size_t begin, std::size_t end) const {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (std::size_t row = begin; row < end; ++row) {
+    nlohmann::ordered_json entry = nlohmann::ordered_json::object();
+    for (const ReportRow::Cell& cell : rows_[row].cells_)
+      if (cell.place != ReportRow::Cell::Place::tables) entry[cell.column] = cell.value;
+    json.push_back(entry);
+  }
+  return json;
 }
 
 std::string Report::to_json() const {
   nlohmann::ordered_json json = head;
-  if (rows_name.empty()) return json.dump(2) + '\n';
-  json[rows_name] = nlohmann::ordered_json::array();
-  for (const ReportRow& row : rows_) {
-    nlohmann::ordered_json entry = nlohmann::ordered_json::object();
-    for (const ReportRow::Cell& cell : row.cells_)
-      if (cell.place != ReportRow::Cell::Place::tables) entry[cell.column] = cell.value;
-    json[rows_name].push_back(entry);
+  if (sections_.empty()) {
+    if (!rows_name.empty()) json[rows_name] = json_of_rows(0, rows_.size());
+    return json.dump(2) + '\n';
+  }
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    nlohmann::ordered_json section = {{"title", sections_[i].heading}};
+    if (!sections_[i].members.is_null()) section.update(sections_[i].members);
+    section[rows_name] = json_of_rows(sections_[i].first_row,
+                                      i + 1 < sections_.size() ? sections_[i + 1].first_row : rows_.size());
+    json["sections"].push_back(section);
   }
   return json.dump(2) + '\n';
 }

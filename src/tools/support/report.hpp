@@ -7,6 +7,7 @@
 /// Method: each row is a list of named cells; the columns of the tables are all names in the order in which
 /// they first appear, and a row without a cell of that name stays blank there.
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -66,6 +67,12 @@ class Report {
   std::vector<std::string> provenance;  ///< lines above the table in CSV, without their '#'
   std::vector<std::string> notes;       ///< points of a list below the table in Markdown
 
+  /// Begins a part of the report, to which all rows belong that follow. Its heading stands above them in Markdown and in
+  /// a column `section` in CSV; JSON has an array `sections` of objects with the rows of one each.
+  /// @param heading of the part; `title` in JSON
+  /// @param members of that object, before its rows
+  void begin_section(const std::string& heading, const nlohmann::ordered_json& members = {});
+
   /// Adds a row, which stays valid until the next one is added.
   ReportRow& add_row() { return rows_.emplace_back(); }
 
@@ -82,7 +89,16 @@ class Report {
  private:
   std::vector<std::string> columns() const;
 
+  struct Section {
+    std::string heading;
+    nlohmann::ordered_json members;
+    std::size_t first_row;
+  };
+
+  nlohmann::ordered_json json_of_rows(std::size_t begin, std::size_t end) const;
+
   std::vector<ReportRow> rows_;
+  std::vector<Section> sections_;
 };
 
 }  // namespace vcavity::tools
