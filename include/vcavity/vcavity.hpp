@@ -55,6 +55,8 @@
 // polarization/: light as a transverse wave.
 #include "vcavity/polarization/jones.hpp"
 #include "vcavity/polarization/mueller.hpp"
+#include "vcavity/polarization/separate.hpp"
+#include "vcavity/polarization/full.hpp"
 #include "vcavity/polarization/polarization.hpp"
 #include "vcavity/polarization/absorbed_fields.hpp"
 // hemisphere/: light from everywhere.

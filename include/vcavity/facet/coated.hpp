@@ -53,6 +53,7 @@
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
+#include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity {
 

@@ -121,15 +121,4 @@ glm::vec<length, Real> at_most(const glm::vec<length, Real>& a, const Real& ceil
   return glm::min(a, ceiling);
 }
 
-/// Calls `visit` with every component of `a`.
-template <Number Real, class Visit>
-void for_each_component(const Real& a, Visit&& visit) {
-  visit(a);
-}
-
-template <glm::length_t length, class Real, class Visit>
-void for_each_component(const glm::vec<length, Real>& a, Visit&& visit) {
-  for (glm::length_t i = 0; i < length; ++i) visit(a[i]);
-}
-
 }  // namespace vcavity

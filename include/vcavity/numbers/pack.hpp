@@ -221,10 +221,6 @@ class Pack {
   VCAVITY_INLINE friend Pack at_most(const Pack& a, const Pack& b) {
     return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
   }
-  template <class Visit>
-  friend void for_each_component(const Pack& a, Visit&& visit) {
-    for (const Real& x : a) visit(x);
-  }
   friend Real largest(const Pack& a) {
     Real result = vcavity::largest(a[0]);
     for (const Real& x : a) result = at_least(result, vcavity::largest(x));

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <glm/detail/qualifier.hpp>
+#include <type_traits>
 
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
@@ -29,34 +30,20 @@ constexpr std::size_t component_count(const Pack<Real, size, most_bytes>&) {
 }
 
 /// Component `i` of a value, counted from 0; of a number the number itself.
-template <Number Real>
-Real& component(Real& value, std::size_t) {
-  return value;
+template <class Value>
+constexpr decltype(auto) component(Value& value, [[maybe_unused]] std::size_t i) {
+  if constexpr (Number<std::remove_const_t<Value>>)
+    return (value);
+  else if constexpr (requires { value.length(); })
+    return (value[static_cast<glm::length_t>(i)]);
+  else
+    return (value[i]);
 }
 
-template <Number Real>
-const Real& component(const Real& value, std::size_t) {
-  return value;
-}
-
-template <glm::length_t length, class Real>
-Real& component(glm::vec<length, Real>& value, std::size_t i) {
-  return value[static_cast<glm::length_t>(i)];
-}
-
-template <glm::length_t length, class Real>
-const Real& component(const glm::vec<length, Real>& value, std::size_t i) {
-  return value[static_cast<glm::length_t>(i)];
-}
-
-template <class Real, std::size_t size, std::size_t most_bytes>
-Real& component(Pack<Real, size, most_bytes>& value, std::size_t i) {
-  return value[i];
-}
-
-template <class Real, std::size_t size, std::size_t most_bytes>
-const Real& component(const Pack<Real, size, most_bytes>& value, std::size_t i) {
-  return value[i];
+/// Calls `visit` with every component of `a`.
+template <class Value, class Visit>
+void for_each_component(const Value& a, Visit&& visit) {
+  for (std::size_t i = 0; i < component_count(a); ++i) visit(component(a, i));
 }
 
 /// The value whose component i is `function(i)`, converted to the number type of the value.

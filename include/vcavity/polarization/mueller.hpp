@@ -83,8 +83,8 @@ class Mueller : public Linear<Mueller<Value>, Value> {
   }
 
   /// The same matrix for other axes of the light before and after.
-  /// @param before, after from the axes of this matrix to those of the result
-  /// @param a what is taken where the mask is true
+  /// @param a the matrix
+  /// @param before,after from the axes of this matrix to those of the result
   template <class Real>
   friend Mueller in_turned_axes(const Mueller& a, const AxesTurn<Real>& before, const AxesTurn<Real>& after) {
     Mueller turned = a;
