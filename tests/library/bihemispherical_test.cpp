@@ -356,6 +356,121 @@ TEST_CASE("narrow grooves end with an honest estimate") {
   check(22.5, Dielectric<double>(0.7), 1e-10, 300'000);
 }
 
+namespace {
+
+/// Fields that nobody knows to be Jones matrices: they are followed from the first bounce to the last.
+struct PlainFields {
+  using value_type = double;
+  Jones<double> field;
+  explicit PlainFields(int light) : field(light) {}
+  explicit PlainFields(const Jones<double>& a) : field(a) {}
+  friend PlainFields operator*(const PlainFields& a, const PlainFields& b) {
+    return PlainFields(a.field * b.field);
+  }
+  friend double largest(const PlainFields& a) { return light_left(a); }
+  friend double light_left(const PlainFields& a) { return detail::light_left(a.field); }
+};
+double power(const PlainFields& a) {
+  return unpolarized(vcavity::power(a.field));
+}
+
+class PlainlyPolarized {
+ public:
+  explicit PlainlyPolarized(const Conductor<double>& metal) : metal_(metal) {}
+  PlainFields operator()(const Bounce<double>& bounce) const {
+    return PlainFields(polarized(metal_)(bounce));
+  }
+  auto singular_cosines() const { return metal_.singular_cosines(); }
+
+ private:
+  Conductor<double> metal_;
+};
+
+}  // namespace
+
+TEST_CASE("fields whose planes of incidence turn slowly are followed as numbers, with an honest error") {
+  for (const Conductor<double>& metal :
+       {Conductor<double>(0.1249, 3.3391), Conductor<double>(1.5, 0), Conductor<double>(30, 90),
+        Conductor<double>(4.15, 0.043), Conductor<double>(0.96, 6.7)})
+    for (const double aperture_deg : {0.1, 0.3, 1.0, 5.0}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      const auto followed = bihemispherical_reflectance(cavity, PlainlyPolarized(metal), 1e-9);
+      for (const double tolerance : {1e-10, 1e-8, 1e-6}) {
+        const auto result = bihemispherical_reflectance(cavity, polarized(metal), tolerance);
+        CAPTURE(aperture_deg, tolerance, result.value, followed.value, result.error, followed.error);
+        CHECK(std::abs(result.value - followed.value) <= result.error + followed.error);
+        CHECK(result.error <= tolerance);
+      }
+    }
+}
+
+TEST_CASE("ten digits of narrow grooves do not take more evaluations the narrower they are") {
+  struct Row {
+    Conductor<double> metal;
+    long long most, most_with_fields;
+  };
+  // Good mirrors are the hardest: light bounces most, and the phases of s and p light differ least.
+  const Row rows[] = {{{1.0003, 0}, 40'000, 60'000},        {{1.5, 0}, 40'000, 60'000},
+                      {{4.15, 0.043}, 60'000, 120'000},     {{0.96, 6.7}, 150'000, 300'000},
+                      {{0.1249, 3.3391}, 180'000, 700'000}, {{30, 90}, 400'000, 1'200'000}};
+  for (const auto& [metal, most, most_with_fields] : rows)
+    for (const double aperture_deg : {0.001, 0.004, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 5.0, 20.0}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      CAPTURE(aperture_deg, metal(1.0));
+      const auto unpolarised = bihemispherical_reflectance(cavity, metal, 1e-10);
+      CHECK(unpolarised.error <= 1e-10);
+      CHECK(unpolarised.evaluations <= most);
+      const auto separate = bihemispherical_reflectance(cavity, separately_polarized(metal), 1e-10);
+      CHECK(separate.error <= 1e-10);
+      CHECK(separate.evaluations <= most);
+      const auto followed = bihemispherical_reflectance(cavity, polarized(metal), 1e-10);
+      CHECK(followed.error <= 1e-10);
+      CHECK(followed.evaluations <= most_with_fields);
+    }
+}
+
+TEST_CASE("light of a mirror that bounces as often as the groove allows is known about") {
+  // Metals reflect least a few degrees from grazing; what survives there once stood for what survives anywhere.
+  const Cavity<double> cavity(radians(0.024703464796381563));
+  const Conductor<double> mirror(1.4046259452916245, 86.324156904631096);
+  const double exact = bihemispherical_reflectance(cavity, mirror, 1e-12).value;
+  for (const double tolerance : {1e-10, 1e-9, 1e-8}) {
+    const auto result = bihemispherical_reflectance(cavity, mirror, tolerance);
+    CAPTURE(tolerance, result.error);
+    CHECK(std::abs(result.value - exact) <= result.error);
+    CHECK(result.error <= tolerance);
+  }
+}
+
+TEST_CASE("narrow grooves of n < 1 come down to light that is never refracted, with an honest error") {
+  // All light of cos ψ below the critical cosine c is reflected totally at every bounce: 2/π (arcsin c − c √(1 − c²)).
+  // Below 0.3° what else is reflected is less than 7e-4 per degree.
+  const auto check = [](const auto& facet, double index, double aperture_deg, double most_error) {
+    const double c = std::sqrt(1 - index * index);
+    const double limit = 2 / pi<double>() * (std::asin(c) - c * index);
+    const auto result = bihemispherical_reflectance(Cavity<double>(radians(aperture_deg)), facet, 1e-10);
+    CAPTURE(index, aperture_deg, result.value, limit, result.error);
+    CHECK(result.value - limit >= -result.error);
+    CHECK(result.value - limit <= 7e-4 * aperture_deg + result.error);
+    CHECK(result.error <= most_error);
+    CHECK(result.evaluations < 21'000'000);
+  };
+  check(Dielectric<double>(0.7), 0.7, 0.3, 1e-10);
+  check(Dielectric<double>(0.7), 0.7, 0.05, 1e-4);
+  check(Dielectric<double>(0.7), 0.7, 0.001, 1e-4);
+  check(polarized(Dielectric<double>(0.987667)), 0.987667, 0.001, 1e-4);
+}
+
+TEST_CASE("many critical angles, blurred by a little absorption, end with an honest error") {
+  const Cavity<double> cavity(radians(3.53));
+  const Conductor<double> facet(0.11554, 8.8894e-05);
+  const auto coarse = bihemispherical_reflectance(cavity, polarized(facet), 1e-10);
+  const auto fine = bihemispherical_reflectance(cavity, polarized(facet), 1e-5);
+  CHECK(coarse.error <= 1e-4);
+  CHECK(fine.error <= 1e-5);
+  CHECK(std::abs(coarse.value - fine.value) <= coarse.error + fine.error);
+}
+
 TEST_CASE("an error is never above the trivial bound, and the limit of evaluations holds") {
   // Nothing is lost in 180,000 bounces.
   const auto result =

@@ -63,10 +63,9 @@ class AdaptiveHemisphere {
     }
     for (const Cell& cell : cells) value = value + (cell.lower.value + cell.upper.value);
     constexpr std::size_t most_cells = 20000;
-    constexpr long long most_evaluations = 100'000'000;
     const Scalar rounding = Scalar(4) * std::numeric_limits<Scalar>::epsilon();
     const Scalar enough = std::max(Scalar(0.75) * tolerance / norm, rounding * largest(value));
-    while (error > enough && cells.size() < most_cells && evaluations_ < most_evaluations) {
+    while (error > enough && cells.size() < most_cells && !is_exhausted()) {
       std::pop_heap(cells.begin(), cells.end(), smaller_error);
       const Cell worst = cells.back();
       cells.pop_back();
@@ -81,10 +80,15 @@ class AdaptiveHemisphere {
       value = value + (cell.lower.value + cell.upper.value);
       error += cell.error + cell.lower.along_error + cell.upper.along_error;
     }
-    return {norm * value, norm * (error + Scalar(4) * rounding * largest(value)), evaluations_};
+    return {norm * value, at_most_all_light(Scalar(norm * (error + Scalar(4) * rounding * largest(value)))),
+            evaluations_};
   }
 
  private:
+  static constexpr long long most_evaluations = 100'000'000;
+
+  bool is_exhausted() const { return evaluations_ >= most_evaluations; }
+
   struct Part {
     Value value;
     Scalar along_error;
@@ -132,9 +136,10 @@ class AdaptiveHemisphere {
     return sum;
   }
 
-  /// The integral of R(e) cos²ψ over ψ in [0, π/2].
+  /// The integral of R(e) cos²ψ over ψ in [0, π/2]; at the end of the evaluations nothing is known of it but that R ≤ 1.
   Part along(const Real& sine, const Real& cosine) {
     const Real quarter = pi<Real>() / Real(2);
+    if (is_exhausted()) return {Value(0), static_cast<Scalar>(quarter / Real(2))};
     cut_angles_.assign({Real(0), quarter});
     cuts_(Vec3<Real>{Real(0), sine, cosine}, cut_angles_);
     std::sort(cut_angles_.begin(), cut_angles_.end());
@@ -146,6 +151,10 @@ class AdaptiveHemisphere {
     for (std::size_t i = 0; i + 1 < cut_angles_.size(); ++i) {
       const Real half = (cut_angles_[i + 1] - cut_angles_[i]) / Real(2);
       if (!(half > Real(0))) continue;
+      if (is_exhausted()) {
+        sum.along_error += static_cast<Scalar>(Real(2) * half);
+        continue;
+      }
       const Part piece = along(sine, cosine, {cut_angles_[i] + half, half, Real(-1), Real(1)}, tolerance, 0);
       sum.value = sum.value + piece.value;
       sum.along_error += piece.along_error;
@@ -177,7 +186,7 @@ class AdaptiveHemisphere {
         return {last, error};
       }
     }
-    if (halvings >= most_halvings) return {last, error};
+    if (halvings >= most_halvings || is_exhausted()) return {last, error};
     Range lower_range = range, upper_range = range;
     lower_range.high = upper_range.low = (range.low + range.high) / Real(2);
     const Part lower = along(sine, cosine, lower_range, tolerance / Scalar(2), halvings + 1);

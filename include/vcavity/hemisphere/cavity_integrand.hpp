@@ -16,6 +16,7 @@
 #include "vcavity/hemisphere/bounce_series.hpp"
 #include "vcavity/hemisphere/facet_singularities.hpp"
 #include "vcavity/hemisphere/kinks.hpp"
+#include "vcavity/hemisphere/series_sum.hpp"
 #include "vcavity/numbers/adaptive_quadrature.hpp"
 
 namespace vcavity::detail {
@@ -55,8 +56,32 @@ class CavityIntegrand {
   /// Whether the range along the groove is cut at critical angles, which move with u.
   bool is_cut() const { return singularities_.is_cut(); }
 
+  /// The part of the known rate of series across that the first order relies on. Where two bounces become critical
+  /// together series fall off more slowly in the end, the more so the more bounces there are.
+  double believed_across() const {
+    constexpr int many_bounces = 12;
+    if (!is_cut()) return 1;
+    return cavity_->max_bounces() > many_bounces ? 0.5 : 0.8;
+  }
+
   /// How much the integral is off because of kinks that `pieces_across` does not cut at.
   Real left_uncut() const { return left_uncut_; }
+
+  /// α
+  Real aperture() const { return cavity_->aperture(); }
+
+  /// Whether the integrand is sin(α/2 − u) times an even function of u, where there is but one piece across.
+  bool even_across() const { return is_narrow(*cavity_) && !is_cut() && !singularities_.cosines().empty(); }
+
+  /// How far the singularities of a bounce are from any angle, up to 1.
+  double singularity_across() const {
+    double distance = 1;
+    for (const std::complex<double>& cosine : singularities_.cosines()) {
+      const std::complex<double> angle = std::acos(cosine);
+      distance = std::min(distance, std::abs(angle - std::clamp(angle.real(), 0.0, std::numbers::pi / 2)));
+    }
+    return distance;
+  }
 
   /// Upper bound on the integral over ψ at any u, for facets that reflect all light.
   static constexpr double largest_along = 1.6;  // π/4 times T_1 + T_2 + … ≤ 2
@@ -135,11 +160,11 @@ class CavityIntegrand {
       return along_direction(integrand_->singularities_.variable(), x);
     }
 
-    /// Bound on the integral beyond the last piece.
+    /// Bound on the integral beyond the last piece, and on what kinks between the cuts do.
     Real beyond() const {
-      if (integrand_->singularities_.variable() == AlongVariable::angle) return Real(0);
+      if (integrand_->singularities_.variable() == AlongVariable::angle) return uncut_;
       const Real cosine = least_cosine();
-      return cosine * cosine * cosine * Real(2) / Real(3);  // T_1 + T_2 + … ≤ 2
+      return cosine * cosine * cosine * Real(2) / Real(3) + uncut_;  // T_1 + T_2 + … ≤ 2
     }
 
     /// The factor of the integral over ψ.
@@ -148,11 +173,16 @@ class CavityIntegrand {
     /// The pieces of the range of the variable along the groove.
     std::vector<QuadraturePiece<Real>> pieces() const {
       std::vector<Real> ends{Real(0)};
+      const bool is_split =
+          cuts_.empty() && integrand_->singularities_.variable() == AlongVariable::logarithmic;
+      if (is_split)
+        for (const int part : {8, 4, 2}) ends.push_back(end() / Real(part));
       for (const auto& angle : cuts_) ends.push_back(angle.at);
       ends.push_back(end());
       std::vector<QuadraturePiece<Real>> pieces;
       for (std::size_t i = 0; i + 1 < ends.size(); ++i)
         if (ends[i] < ends[i + 1]) pieces.push_back(piece(ends[i], ends[i + 1]));
+      if (is_split) guess_orders(pieces);
       return pieces;
     }
 
@@ -177,9 +207,9 @@ class CavityIntegrand {
       const Real weight =
           most * most *
           (integrand_->singularities_.variable() == AlongVariable::angle ? Real(1) : Real(8) * most);
-      return sum_of_series(
-          series_, facet, sine, cosine,
-          {negligible_ / at_least(weight, negligible_), integrand_->singularities_.total_below(), max_terms});
+      return sum_of_series(series_, facet, sine, cosine,
+                           {negligible_ / at_least(weight, negligible_),
+                            integrand_->singularities_.total_below(), max_terms, !integrand_->is_cut()});
     }
 
    private:
@@ -191,6 +221,15 @@ class CavityIntegrand {
       return integrand_->singularities_.variable() == AlongVariable::angle
                  ? Real(pi<Real>() / Real(2))
                  : along_of_cosine(AlongVariable::logarithmic, least_cosine());
+    }
+
+    /// Orders that usually suffice for fields, whose interference singularities of the facet do not tell.
+    void guess_orders(std::vector<QuadraturePiece<Real>>& pieces) const {
+      if constexpr (!std::invocable<const Facet&, const Real&>) {
+        const double digits = -std::log10(static_cast<double>(negligible_));
+        for (auto& piece : pieces)
+          piece.order = static_cast<std::size_t>((piece.low == Real(0) ? 3.2 : 1.4) * digits) / 4 * 4;
+      }
     }
 
     /// The critical angles of all bounces, as far as light comes there.
@@ -208,8 +247,8 @@ class CavityIntegrand {
       };
       for (int m = 1; m <= series_.size(); ++m) {
         const auto& term = series_[m];
-        const bool first_is_critical = add(term.cosine_first);
-        const bool last_is_critical = m > 1 && add(term.cosine_last);
+        const bool first_is_critical = add(term.ends.cosine_first);
+        const bool last_is_critical = m > 1 && add(term.ends.cosine_last);
         if (!first_is_critical && !last_is_critical && m > 1) break;
         constexpr int seldom = 8;
         if (m % seldom == 0 && !descending.empty() &&
@@ -220,11 +259,14 @@ class CavityIntegrand {
       std::sort(descending.begin(), descending.end(),
                 [](const auto& a, const auto& b) { return a.at < b.at; });
       angles_ = descending;
-      // Nearer to each other than they are sharp, one cut does for several.
-      for (const auto& angle : angles_)
-        if (angle.at < end() &&
-            (cuts_.empty() || static_cast<double>(angle.at - cuts_.back().at) > 2 * facet.blur(angle)))
-          cuts_.push_back(angle);
+      // Nearer to each other than they are sharp, or than the tolerance can tell, one cut does for several.
+      const Real indistinct = negligible_ / Real(4);
+      for (const auto& angle : angles_) {
+        if (!(angle.at < end())) continue;
+        const Real apart = cuts_.empty() ? end() : Real(angle.at - cuts_.back().at);
+        if (apart > indistinct && static_cast<double>(apart) > 2 * facet.blur(angle)) cuts_.push_back(angle);
+        if (!(apart > indistinct)) uncut_ = Real(4) * indistinct;  // of an integrand from 0 to 2, and back
+      }
       constexpr bool has_phase = !std::invocable<const Facet&, const Real&>;
       if (has_phase || !(facet.total_below() > Real(0)))
         angles_.insert(angles_.begin(), nearly.begin(), nearly.end());
@@ -233,6 +275,7 @@ class CavityIntegrand {
     const CavityIntegrand* integrand_;
     BounceSeries<Real> series_;
     Real negligible_;
+    Real uncut_{0};                                   // error from kinks between the cuts
     std::vector<CriticalAngle<Real>> angles_, cuts_;  // ascending
   };
 
@@ -247,8 +290,8 @@ class CavityIntegrand {
   }
 
   /// Upper bound on the part of the integral with the two largest numbers of bounces; its kinks in u are all that
-  /// there are. Such light survives almost along the groove only, so that it is enough to know how much does
-  /// where the rest is negligible.
+  /// there are. Such light survives almost along the groove, or where facets reflect nearly all of it; how much does is
+  /// looked up for a few directions beyond those where it is negligible, because metals reflect least in between.
   Real light_of_longest_rays(const Real& negligible) const {
     using std::cbrt;
     using std::sqrt;
@@ -258,8 +301,12 @@ class CavityIntegrand {
     const BounceSeries<Real> series(*cavity_, Real(0), max_bounces_);
     if (series.size() < cavity_->max_bounces() - 1) return Real(0);
     if (!(cosine < Real(1))) return width;
-    return width *
-           (cosine * cosine * cosine / Real(3) + light_after(series, series.size() - 1, cosine, negligible));
+    Real left(0);
+    const Real apart = Real(4);
+    for (Real along = cosine; along < Real(1); along *= apart)
+      left = at_least(left, light_after(series, series.size() - 1, along, negligible));
+    left = at_least(left, light_after(series, series.size() - 1, Real(1), negligible));
+    return width * (cosine * cosine * cosine / Real(3) + left);
   }
 
   static Real floor_of(const Real& x) {
@@ -281,8 +328,8 @@ class CavityIntegrand {
     Real left(1);
     for (int i = 2 - m % 2; i <= m && !(left < negligible); i += 2) {
       const auto& term = series[i];
-      product = at(term.cosine_first, term.sine_first, i / 2) * product;
-      if (i > 1) product = product * at(term.cosine_last, term.sine_last, i / 2 + i - 1);
+      product = at(term.ends.cosine_first, term.ends.sine_first, i / 2) * product;
+      if (i > 1) product = product * at(term.ends.cosine_last, term.ends.sine_last, i / 2 + i - 1);
       left = static_cast<Real>(light_left(product));
     }
     return left;

@@ -25,6 +25,7 @@
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/hemisphere/counted_facet.hpp"
+#include "vcavity/hemisphere/even_across.hpp"
 #include "vcavity/hemisphere/integral.hpp"
 #include "vcavity/numbers/adaptive_quadrature.hpp"
 #include "vcavity/numbers/pack.hpp"
@@ -45,12 +46,18 @@ class HemisphereQuadrature {
   /// The integral with cos²ψ over all directions, times the norm of the integrand.
   /// @param tolerance absolute error to aim at; where the evaluations do not suffice, a looser one is
   Integral<Value> operator()(double tolerance) {
-    const Integral<Value> first = attempt(tolerance, max_evaluations / 4 * 3);
-    if (!is_exhausted()) return first;
-    constexpr double looser = 1e3, loose = 1e-5;
-    const Integral<Value> second = attempt(std::max(looser * tolerance, loose), max_evaluations);
-    return second.error < first.error ? second
-                                      : Integral<Value>{first.value, first.error, second.evaluations};
+    Integral<Value> best = attempt(tolerance, max_evaluations / 5 * 2);
+    if (!is_exhausted()) return best;
+    struct Looser {
+      double tolerance;
+      long long limit;
+    };
+    for (const Looser& next : {Looser{1e-2, max_evaluations / 5 * 3}, Looser{1e-4, max_evaluations}}) {
+      const Integral<Value> looser = attempt(std::max(next.tolerance, tolerance), next.limit);
+      if (looser.error < best.error) best = looser;
+    }
+    best.evaluations = evaluations_;
+    return best;
   }
 
  private:
@@ -67,15 +74,20 @@ class HemisphereQuadrature {
     for (const auto& piece : pieces) width += static_cast<double>(piece.high - piece.low);
     along_tolerance_ = 0.4 * all / width;
     negligible_ = static_cast<Real>(std::min(0.05 * along_tolerance_, 0.1));
-    const auto result = integrate_adaptively<Real, Value>(
-        std::move(pieces), 0.5 * all, {1, min_series_order, 40},
-        [&](const auto& piece, const auto& rule) { return across(piece, rule); },
-        [&](const Piece& piece) { return integrand_.halves_across(piece); }, [&] { return is_exhausted(); });
+    const double across_tolerance = 0.5 * all;
+    auto result = AdaptiveIntegral<Real, Value>{Value(0), across_tolerance * 2, 0, {}};
+    if (pieces.size() == 1 && integrand_.even_across()) result = by_two_nodes(across_tolerance);
+    if (result.error > across_tolerance)
+      result = integrate_adaptively<Real, Value>(
+          std::move(pieces), across_tolerance, {1, min_series_order, 40, integrand_.believed_across()},
+          [&](const auto& piece, const auto& rule) { return across(piece, rule); },
+          [&](const Piece& piece) { return integrand_.halves_across(piece); },
+          [&] { return is_exhausted(); });
     const Scalar factor = static_cast<Scalar>(integrand_.norm());
     const Value value = factor * result.value;
     const double error =
         norm * (result.error + result.noise + static_cast<double>(integrand_.left_uncut())) + rounding(value);
-    return {value, static_cast<Scalar>(error <= 1 ? error : 1), evaluations_};
+    return {value, static_cast<Scalar>(at_most_all_light(error)), evaluations_};
   }
 
   using Rule = SeriesRule<Real>;
@@ -103,6 +115,33 @@ class HemisphereQuadrature {
 
   bool is_exhausted() const { return evaluations_ >= limit_; }
 
+  /// The outer integral of an integrand that is almost even (even_across.hpp).
+  AdaptiveIntegral<Real, Value> by_two_nodes(double tolerance) {
+    const EvenAcross<Real> rule(integrand_.aperture());
+    const double distance = integrand_.singularity_across();
+    AdaptiveIntegral<Real, Value> result{Value(0), 0, 0, {}};
+    std::array<Value, 2> even{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto& node = rule.nodes()[i];
+      const auto along = integrand_.at(node.u, negligible_);
+      const auto inner = integral_along(along);
+      result.value = result.value + static_cast<Scalar>(node.weight) * inner.value;
+      result.noise += static_cast<double>(node.weight) * error_along(along, inner);
+      even[i] = static_cast<Scalar>(Real(1) / rule.hat(i)) * inner.value;
+      const double difference = static_cast<double>(largest(Value(even[i] + Scalar(-1) * even[0])));
+      result.error = rule.error(difference, static_cast<double>(largest(even[i])), distance);
+      if (!(result.error <= tolerance)) break;
+    }
+    return result;
+  }
+
+  /// Bound on the error of an inner integral.
+  template <class Along>
+  static double error_along(const Along& along, const AdaptiveIntegral<Real, Value>& inner) {
+    const double error = inner.error + inner.noise + static_cast<double>(along.beyond());
+    return error <= Integrand::largest_along ? error : Integrand::largest_along;
+  }
+
   /// The inner integrals at the nodes of an outer rule.
   PieceEstimate<Value> across(const Piece& piece, const Rule& rule) {
     const Real middle = (piece.low + piece.high) / Real(2);
@@ -117,9 +156,7 @@ class HemisphereQuadrature {
       std::array<Real, Rule::terms> projection;
       for (std::size_t i = 0; i < Rule::terms; ++i) projection[i] = node.projection[i] * scale;
       sum.add(inner.value, Real(node.weight * scale), projection);
-      const double error = inner.error + inner.noise + static_cast<double>(along.beyond());
-      noise += static_cast<double>(node.weight * scale) *
-               (error <= Integrand::largest_along ? error : Integrand::largest_along);
+      noise += static_cast<double>(node.weight * scale) * error_along(along, inner);
     }
     return estimate_of(sum, noise, rule);
   }

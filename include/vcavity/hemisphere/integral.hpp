@@ -16,4 +16,14 @@ struct Integral {
   long long evaluations;  ///< number of evaluations of the facet reflectance
 };
 
+namespace detail {
+
+/// The estimate of the error of a part of the light, which is at most all of it, also where the estimate is no number.
+template <class Scalar>
+Scalar at_most_all_light(const Scalar& error) {
+  return error <= Scalar(1) ? error : Scalar(1);
+}
+
+}  // namespace detail
+
 }  // namespace vcavity

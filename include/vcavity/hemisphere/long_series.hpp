@@ -16,14 +16,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "vcavity/hemisphere/plain_numbers.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"
-#include "vcavity/numbers/pack.hpp"
 #include "vcavity/numbers/progression_sum.hpp"
 
 namespace vcavity::detail {
@@ -43,7 +42,8 @@ struct SeriesBlock {
     Real bounces;  ///< a number of bounces beyond m, rarely an integer
     Real weight;   ///< in the sum over all of that parity
     std::array<Real, block_nodes>
-        logarithm;  ///< of the product, less that before the block, from g at the nodes
+        logarithm;                       ///< of the product, less that before the block, from g at the nodes
+    std::array<Real, block_nodes> here;  ///< a function of k there, from its values at the nodes
   };
   std::vector<Sum> even, odd;                         ///< beyond m
   std::array<Real, block_nodes> last_even, last_odd;  ///< logarithms at the end of the block
@@ -114,27 +114,22 @@ const SeriesBlock<Real>& series_block(int log2) {
     for (std::size_t i = 0; i < block_nodes; ++i) result[i] -= start[i];
     return result;
   };
+  const auto here = [&](const Real& k) {
+    const LegendreJet<Real> jet((k - middle) / half);
+    std::array<Real, block_nodes> result{};
+    for (std::size_t n = 0; n < block_nodes; ++n)
+      for (std::size_t i = 0; i < block_nodes; ++i) result[i] += jet.derivative[0][n] * coefficient[n][i];
+    return result;
+  };
   for (const auto& node : kept_progression_rule<Real, block_sum_order>(log2)) {
     const Real even = Real(2) * node.index, odd = even - Real(1);
-    block.even.push_back({even, node.weight, between(Real(0), even)});
-    block.odd.push_back({odd, node.weight, between(Real(-1), odd)});
+    block.even.push_back({even, node.weight, between(Real(0), even), here(even)});
+    block.odd.push_back({odd, node.weight, between(Real(-1), odd), here(odd)});
   }
   block.last_even = between(Real(0), length);
   block.last_odd = between(Real(-1), length - Real(1));
   return block;
 }
-
-/// Numbers that multiply one by one, and how to reach each of them.
-template <class Value>
-struct PlainNumbers {
-  static constexpr std::size_t count = std::is_floating_point_v<Value> ? 1 : 0;  ///< 0: it is something else
-  static Value& at(Value& value, std::size_t) { return value; }
-};
-template <class Real, std::size_t size, std::size_t bytes>
-struct PlainNumbers<Pack<Real, size, bytes>> {
-  static constexpr std::size_t count = std::is_floating_point_v<Real> ? size : 0;
-  static Real& at(Pack<Real, size, bytes>& value, std::size_t i) { return value[i]; }
-};
 
 /// The products of the last odd and the last even number of bounces.
 template <class Value>
@@ -147,34 +142,39 @@ template <class Value, class Real>
 struct BlockSum {
   Value value;
   SeriesProducts<Value> products;  ///< at the end of the block
-  Real uncertain;                  ///< relative error of the products
+  Real uncertain;                  ///< absolute error of the products
 };
 
 /// The sum of the 2n terms after m bounces.
 /// @param log2 of n
-/// @param reflectance called with k, a real number: ρ(cos ψ cos(u − kα/2)) ρ(cos ψ cos(u + kα/2))
+/// @param step called with k, a real number: the bounces at u ∓ kα/2. `growth(step)` is the product of their
+/// reflectances, and `observed(product, step)` what is seen of a product that ends there.
 /// @param weight called with a number of bounces, not an integer: T
 /// @param before the products at m − 1 and at m
-template <class Real, class Value, class Reflectance, class Weight>
-BlockSum<Value, Real> sum_of_block(int m, int log2, Reflectance&& reflectance, Weight&& weight,
+template <class Bounces, class Real, class Value, class Step, class Weight>
+BlockSum<Value, Real> sum_of_block(int m, int log2, Step&& step, Weight&& weight,
                                    const SeriesProducts<Value>& before) {
   using std::exp;
   using std::log;
   using Numbers = PlainNumbers<Value>;
   const SeriesBlock<Real>& block = series_block<Real>(log2);
-  std::array<Value, block_nodes> logarithms;
+  std::array<Value, block_nodes> logarithms, observed;
   for (std::size_t i = 0; i < block_nodes; ++i) {
-    logarithms[i] = at_least(Value(reflectance(Real(m) + block.nodes[i])), std::numeric_limits<Real>::min());
+    const auto bounces = step(Real(m) + block.nodes[i]);
+    logarithms[i] = Bounces::growth(bounces);
     for (std::size_t lane = 0; lane < Numbers::count; ++lane)
-      Numbers::at(logarithms[i], lane) = log(Numbers::at(logarithms[i], lane));
+      Numbers::at(logarithms[i], lane) =
+          log(at_least(Numbers::at(logarithms[i], lane), std::numeric_limits<Real>::min()));
+    if constexpr (Bounces::is_observed_in_part) observed[i] = Bounces::observed(Value(1), bounces);
   }
-  const auto combined = [&](const std::array<Real, block_nodes>& factors) {
+  const auto combined = [](const std::array<Real, block_nodes>& factors,
+                           const std::array<Value, block_nodes>& values) {
     Value sum(0);
-    for (std::size_t i = 0; i < block_nodes; ++i) sum = sum + factors[i] * logarithms[i];
+    for (std::size_t i = 0; i < block_nodes; ++i) sum = sum + factors[i] * values[i];
     return sum;
   };
   const auto grown = [&](const Value& product, const std::array<Real, block_nodes>& factors) {
-    Value growth = combined(factors);
+    Value growth = combined(factors, logarithms);
     for (std::size_t lane = 0; lane < Numbers::count; ++lane)
       Numbers::at(growth, lane) = exp(Numbers::at(growth, lane));
     return Value(product * growth);
@@ -182,12 +182,18 @@ BlockSum<Value, Real> sum_of_block(int m, int log2, Reflectance&& reflectance, W
   BlockSum<Value, Real> result{Value(0), before, Real(0)};
   for (const auto& [parts, product] :
        {std::pair(&block.even, &before.of_even), std::pair(&block.odd, &before.of_odd)})
-    for (const auto& part : *parts)
-      result.value =
-          result.value + (part.weight * weight(Real(m) + part.bounces)) * grown(*product, part.logarithm);
+    for (const auto& part : *parts) {
+      Value term = grown(*product, part.logarithm);
+      if constexpr (Bounces::is_observed_in_part) term = term * combined(part.here, observed);
+      result.value = result.value + (part.weight * weight(Real(m) + part.bounces)) * term;
+    }
   result.products = {grown(before.of_odd, block.last_odd), grown(before.of_even, block.last_even)};
-  for (const auto& coefficient : block.last_coefficients)
-    result.uncertain += Real(1 << log2) * largest(Value(combined(coefficient)));
+  // What has little light may be known little of.
+  for (const auto& coefficient : block.last_coefficients) {
+    const Value last = combined(coefficient, logarithms);
+    result.uncertain +=
+        Real(1 << log2) * (largest(Value(last * before.of_odd)) + largest(Value(last * before.of_even)));
+  }
   return result;
 }
 

@@ -56,6 +56,7 @@ struct AdaptiveIntegral {
 struct QuadratureOrders {
   std::size_t step;      ///< orders are multiples of it, as where nodes come in packs
   std::size_t min, max;  ///< of the first to the last order tried
+  double believed = 1;   ///< part of the rate of a piece from which the first order follows
 
   /// The number of nodes that bring an error down by a factor.
   /// @param rate per node; a guess stands in for 0
@@ -65,8 +66,6 @@ struct QuadratureOrders {
     const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
     return step * static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / static_cast<double>(step)));
   }
-  /// The first order to try for an error.
-  std::size_t first(double error, double rate) const { return std::clamp(nodes(error, rate), min, max); }
   /// The next order to try; a little higher where the rate is not known.
   std::size_t next(std::size_t order, double factor, double rate) const {
     const std::size_t unknown = (order / 2 + step) / step * step;
@@ -112,10 +111,14 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   const auto rate_per_node = [](const QuadraturePiece<Real>& piece) {
     return (piece.symmetry == Symmetry::even ? 4 : 2) * piece.decay.rate;
   };
+  // The nodes that a piece needs by what is known of it.
+  const auto nodes_for = [&](const QuadraturePiece<Real>& piece, double share) {
+    return std::max(orders.nodes(share * std::exp2(4 - std::min(piece.decay.multiplicity, 6)),
+                                 orders.believed * rate_per_node(piece)),
+                    orders.min);
+  };
   const auto done = [&](QuadraturePiece<Real> piece, double share) {
-    if (piece.order == 0)
-      piece.order =
-          orders.first(share * std::exp2(4 - std::min(piece.decay.multiplicity, 6)), rate_per_node(piece));
+    if (piece.order == 0) piece.order = nodes_for(piece, share);
     piece.order = std::clamp(piece.order, orders.min, orders.max);
     const SeriesRule<Real>& rule = piece.symmetry == Symmetry::even
                                        ? series_rule<Real, Symmetry::even>(piece.order)
@@ -127,7 +130,19 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   std::vector<Work> heap;  // the largest error first
   const double share = tolerance / static_cast<double>(std::max<std::size_t>(pieces.size(), 1));
   double error = 0;
-  for (const QuadraturePiece<Real>& piece : pieces) {
+  while (!pieces.empty()) {
+    const QuadraturePiece<Real> piece = pieces.back();
+    pieces.pop_back();
+    // So near to a singularity that no rule will do: halves may need fewer nodes than the whole.
+    if (piece.order == 0 && piece.decay.rate > 0 && nodes_for(piece, share) > 2 * orders.max) {
+      const std::vector<QuadraturePiece<Real>> parts = halves(piece);
+      std::size_t nodes = 0;
+      for (const QuadraturePiece<Real>& part : parts) nodes += nodes_for(part, share);
+      if (!parts.empty() && nodes < nodes_for(piece, share)) {
+        pieces.insert(pieces.end(), parts.begin(), parts.end());
+        continue;
+      }
+    }
     heap.push_back(done(piece, share));
     error += heap.back().error;
   }

@@ -106,7 +106,7 @@ auto bihemispherical_reflectance(
                                                                                             evaluations);
   Integral<Value> result = quadrature(ranges.ends, tolerance);
   // Light that meets one face more or less than it was counted with changes the reflectance by its flux at most.
-  result.error += static_cast<Scalar>(ranges.overlooked);
+  result.error = detail::at_most_all_light(Scalar(result.error + static_cast<Scalar>(ranges.overlooked)));
   return result;
 }
 

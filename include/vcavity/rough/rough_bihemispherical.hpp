@@ -163,7 +163,8 @@ Integral<unpolarized_t<Facet, scalar_t<Distribution>>> bihemispherical_reflectan
       error = largest(half) + share * widest.error;
       sum.evaluations += widest.evaluations;
     }
-    if (error <= part || high < narrowest) return {sum.value + half, sum.error + error, sum.evaluations};
+    if (error <= part || high < narrowest)
+      return {sum.value + half, detail::at_most_all_light(Scalar(sum.error + error)), sum.evaluations};
   }
 }
 
