@@ -13,6 +13,8 @@
 ///  - `a + b`, and `s * a` for a number s of type `scalar_t<Value>`;
 ///  - `largest(a)`, found by argument-dependent look-up: a number that is small only if all of `a` is small.
 ///
+/// Lists of lobes also need `Value()`, absorptances `at_most(a, s)`, which limits all of `a` to a number s.
+///
 /// A value that multiplies but does not add up, such as the field amplitudes of a `Jones` matrix, says with an
 /// overload of `power` what adds up in its place, and needs neither sums nor multiples itself.
 ///
