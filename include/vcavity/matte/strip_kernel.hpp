@@ -67,6 +67,7 @@ class StripKernel {
 
   /// The mean of K(s, t) over t in [from, rim], with all its digits as `from` tends to the rim.
   /// @param s,from not both 0
+  /// @param rim end of the range
   Real mean(const Real& s, const Real& from, const Real& rim) const {
     const Real to_rim = distance(s, rim);
     const Real to_start = distance(s, from);
@@ -91,7 +92,9 @@ class StripKernel {
 
   /// Sets a block of a matrix to f ↦ ∫ K(s, t) f(t) dt from the nodes of one panel to those of the other, but for what
   /// comes from below its `apex_width()`.
+  /// @param matrix what the block is a part of
   /// @param row,column where the block begins
+  /// @param receiver,sender nodes of either panel
   /// @param ratio the logarithm of the length of the panel that sends over that of the one that receives
   void fill_block(SquareMatrix<Real>& matrix, std::size_t row, const PanelGrid<Real>& receiver,
                   std::size_t column, const PanelGrid<Real>& sender, const Real& ratio) const {

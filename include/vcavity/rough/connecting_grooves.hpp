@@ -151,6 +151,7 @@ class ConnectingGrooves {
   }
 
   /// `density` of a batch.
+  /// @param batch the grooves
   /// @param facet_densities D(m) of each
   typename GrooveBatch<Real>::Lanes densities(
       const GrooveBatch<Real>& batch, const typename GrooveBatch<Real>::Lanes& facet_densities) const {
