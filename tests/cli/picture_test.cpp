@@ -36,6 +36,25 @@ TEST_CASE("a page at one wavelength is grey unless false colours are asked for")
   CHECK_FALSE(is_grey(colour_on_disc(page_of("--material Cu --aperture 60 --false-color"))));
 }
 
+TEST_CASE("grey is a reflectance as a photograph shows it, black at 0, however narrow its range") {
+  // Silver at 150 degrees reflects between 0.9 and 0.98 everywhere.
+  const Rgba8 silver = colour_on_disc(page_of("--material Ag --aperture 150"));
+  CHECK(is_grey(silver));
+  CHECK(silver.r > 235);
+  CHECK(silver.r < 255);
+}
+
+TEST_CASE("the luminance of red is that of red, not of blue") {
+  const Page page = page_of(
+      "--finish matte --albedo #ff0000,#0000ff --aperture 180 --wavelengths 400:700:10 --false-color");
+  // Two discs of even brightness, the first at the upper end of the bar and the second at the lower.
+  const auto lightness = [](Rgba8 pixel) { return pixel.r + pixel.g + pixel.b; };
+  const Rgba8 red = page.at(page.width / 4, page.height / 2 + 15);
+  const Rgba8 blue = page.at(page.width / 4 * 5 / 2, page.height / 2 + 15);
+  CAPTURE(lightness(red), lightness(blue));
+  CHECK(lightness(red) > lightness(blue) + 60);
+}
+
 TEST_CASE("copper is reddish on a page of the visible spectrum") {
   const Rgba8 copper = colour_on_disc(page_of("--material Cu --aperture 60 --wavelengths 400:700:20"));
   CHECK(copper.r > copper.g + 20);

@@ -15,11 +15,22 @@
 
 #include "output/scratch_folder.hpp"
 
-/// The words of a command line; there is no quoting.
+/// The words of a command line; between single quotes blanks belong to a word.
 inline std::vector<std::string> words(const std::string& line) {
-  std::istringstream stream(line);
   std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
+  bool in_word = false, quoted = false;
+  for (const char letter : line) {
+    if (!quoted && (letter == ' ' || letter == '\n')) {
+      in_word = false;
+      continue;
+    }
+    if (!in_word) result.emplace_back();
+    in_word = true;
+    if (letter == '\'')
+      quoted = !quoted;
+    else
+      result.back() += letter;
+  }
   return result;
 }
 
