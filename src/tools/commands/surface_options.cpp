@@ -93,6 +93,8 @@ void check_albedos(const SurfaceOptions& options) {
   if (matte && !options.materials.empty())
     throw UsageError("--finish matte: is of panels with an --albedo, expected no --material");
   if (matte && options.albedos.empty()) throw UsageError("--albedo is required with --finish matte");
+  if (options.albedos.empty() && options.specular)
+    throw UsageError("--specular: is a part of matte panels, expected --finish matte and an --albedo");
   if (options.albedos.empty()) return;
   if (!options.materials.empty() || !options.profiles.panels.empty())
     throw UsageError("--albedo: stands in place of --material and --panels, expected one of them");
@@ -136,6 +138,12 @@ void add_albedo_options(CLI::App& command, SurfaceOptions& options) {
           "what panels reflect at any angle: a number from 0 to 1, an sRGB colour such as '#b87333', a CSV "
           "file with wavelength_nm,reflectance, or ONE/TWO for the two panels; a list")
       ->type_name("A[,A...]");
+  command
+      .add_option("--specular", options.specular,
+                  "what matte panels of one --albedo reflect like mirrors besides, the same at any angle: a "
+                  "number, a "
+                  "colour or a CSV file; for diffuse light alone (table)")
+      ->type_name("S");
 }
 
 void check(const SurfaceOptions& options) {
@@ -204,6 +212,7 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
       SurfaceDescription surface{Material::from_index({1, 0}, "1"), 180};
       surface.finish = finish;
       surface.albedos = load_albedos(words);
+      if (options.specular) surface.specular = Albedo(*options.specular, "--specular");
       surfaces.push_back(surface);
     }
   vary(surfaces, options.apertures_deg,

@@ -23,8 +23,9 @@ struct SurfaceOptions {
   std::optional<Roughness::Distribution> distribution;
   std::vector<Roughness> roughnesses;  ///< along x and along y; the rest is in the other two options
   std::optional<double> concentration;
-  std::vector<Finish> finishes;      ///< of panels with an albedo
-  std::vector<std::string> albedos;  ///< in place of materials, see load_albedos()
+  std::vector<Finish> finishes;         ///< of panels with an albedo
+  std::vector<std::string> albedos;     ///< in place of materials, see load_albedos()
+  std::optional<std::string> specular;  ///< of matte panels, see `Albedo`
   MissingExtinction missing_k = MissingExtinction::refused;
 };
 

@@ -8,7 +8,7 @@
 namespace vcavity::tools {
 namespace {
 
-constexpr double most_deviation = 0.01;  // of a reflectance; a colour is the mean over many
+constexpr double most_deviation = 0.0005;  // of a reflectance; a colour is the mean over many
 constexpr double finest_nm = 1;
 
 struct Sample {

@@ -12,10 +12,11 @@ namespace vcavity::tools {
 /// Reflectance of a panel, the same from all directions, as a function of wavelength.
 class Albedo {
  public:
-  /// @param specification a number from 0 to 1; an sRGB colour `#rrggbb`; or a CSV file with the heading
-  ///        wavelength_nm,reflectance
+  /// @param specification a number from 0 to 1; an sRGB colour `#rrggbb`; or a table with a heading such as
+  ///        wavelength_nm,reflectance, see spreadsheet.hpp; percentages where it says so
+  /// @param option the words were given to, for messages
   /// @throws UsageError for anything else; std::runtime_error "FILE:LINE: ..." where a file is malformed
-  explicit Albedo(const std::string& specification);
+  Albedo(const std::string& specification, const std::string& option);
 
   /// The words it was made from; of a file its name without folder and extension.
   const std::string& name() const { return name_; }

@@ -5,24 +5,27 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vcavity/vcavity.hpp>
 
 #include "tools/support/error.hpp"
+#include "tools/support/text_table.hpp"
 
 namespace vcavity::tools {
 namespace {
 
-using Geometry = std::shared_ptr<const LambertianGeometry<double>>;
-
-/// What all wavelengths of an aperture share.
-Geometry geometry_of(double aperture) {
+/// What all wavelengths of a groove share.
+/// @tparam Geometry made from a groove
+/// @param key of its shape
+template <class Geometry, class Key, class Groove>
+std::shared_ptr<const Geometry> geometry_of(const Key& key, const Groove& groove) {
   static std::mutex mutex;
-  static std::map<double, std::weak_ptr<const LambertianGeometry<double>>> known;
+  static std::map<Key, std::weak_ptr<const Geometry>> known;
   const std::lock_guard lock(mutex);
-  Geometry geometry = known[aperture].lock();
+  std::shared_ptr<const Geometry> geometry = known[key].lock();
   if (!geometry) {
-    geometry = std::make_shared<const LambertianGeometry<double>>(Cavity<double>(aperture));
-    known[aperture] = geometry;
+    geometry = std::make_shared<const Geometry>(groove);
+    known[key] = geometry;
   }
   return geometry;
 }
@@ -54,7 +57,9 @@ class MatteSurface final : public Surface {
  private:
   /// Light of single directions needs the quadrature, which diffuse light does not.
   const LambertianCavity<double>& matte() const {
-    std::call_once(made_, [this] { matte_.emplace(geometry_of(cavity_.aperture()), one_, two_); });
+    std::call_once(made_, [this] {
+      matte_.emplace(geometry_of<LambertianGeometry<double>>(cavity_.aperture(), cavity_), one_, two_);
+    });
     return *matte_;
   }
 
@@ -62,6 +67,57 @@ class MatteSurface final : public Surface {
   double one_, two_;
   mutable std::once_flag made_;
   mutable std::optional<LambertianCavity<double>> matte_;
+};
+
+/// Panels of unequal slope, which need the quadrature for all light.
+class AsymmetricMatteSurface final : public Surface {
+ public:
+  AsymmetricMatteSurface(const AsymmetricGroove<double>& groove, double albedo_one, double albedo_two)
+      : matte_(geometry_of<AsymmetricLambertianGeometry<double>>(std::pair(groove.aperture(), groove.tilt()),
+                                                                 groove),
+               albedo_one, albedo_two) {}
+
+  Reflected reflectance(const Vec3<double>& e) const override {
+    return reflected(matte_.directional_reflectance(e));
+  }
+
+  std::optional<double> absorptance(const Vec3<double>& e) const override {
+    return matte_.directional_absorptance(e);
+  }
+
+  std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
+    return SurfaceBrdf{reflected(matte_.brdf(e, toward)), matte_.brdf_error(e, toward), {}};
+  }
+
+  Integral<double> bihemispherical(double) const override {
+    return {matte_.bihemispherical_reflectance(), matte_.bihemispherical_error(), 0};
+  }
+
+ private:
+  AsymmetricLambertianCavity<double> matte_;
+};
+
+/// Panels with a specular part besides: what becomes of diffuse light is all that is known of them.
+class MatteSpecularSurface final : public Surface {
+ public:
+  MatteSpecularSurface(double aperture, double diffuse, double specular)
+      : cavity_(aperture), diffuse_(diffuse), specular_(specular) {}
+
+  Reflected reflectance(const Vec3<double>&) const override {
+    throw UsageError(
+        "--specular: only the reflectance under diffuse light is known of such panels, expected the command "
+        "table");
+  }
+
+  Integral<double> bihemispherical(double) const override {
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    return {bihemispherical_reflectance(SpecularInterreflectionKernel<double>(cavity_), diffuse_, specular_),
+            rounding * cavity_.inverse_sin_half(), 0};
+  }
+
+ private:
+  Cavity<double> cavity_;
+  double diffuse_, specular_;
 };
 
 /// Mirrors of one reflectance at all angles.
@@ -108,6 +164,20 @@ class ConstantMirrorSurface final : public Surface {
   int max_bounces_;
 };
 
+/// The angle between the panels, and that of their bisector from z.
+struct Shape {
+  double aperture;
+  double tilt;
+};
+
+Shape shape_of(const SurfaceDescription& surface) {
+  const ProfileDescription& profile = surface.profile;
+  if (!profile.slopes_deg) return {radians(surface.aperture_deg), radians(profile.tilt_deg.value_or(0))};
+  // The digits of the aperture are those of the sum of the slopes in degrees.
+  const auto& [one, two] = *profile.slopes_deg;
+  return {radians(180 - one - two), radians((one - two) / 2)};
+}
+
 }  // namespace
 
 std::unique_ptr<const Surface> make_albedo_surface(const SurfaceDescription& surface, double wavelength_nm,
@@ -118,20 +188,39 @@ std::unique_ptr<const Surface> make_albedo_surface(const SurfaceDescription& sur
         "--polarization: panels of a given albedo say nothing of polarised light, expected none");
   if (surface.roughness)
     throw UsageError("--distribution: is of mirrors of a --material, not of panels with an --albedo");
-  if (!surface.profile.is_plain())
-    throw UsageError(
-        "--albedo: is of symmetric grooves, expected none of --tilt, --slopes, --panels, --floor and --land");
-  const double aperture = radians(surface.aperture_deg);
+  const ProfileDescription& profile = surface.profile;
+  if (profile.land || profile.floor || profile.floor_material || profile.land_material)
+    throw UsageError("--albedo: is of panels, expected neither --floor nor --land");
+  const double one = albedos.one.at(wavelength_nm);
   if (surface.finish == Finish::mirror) {
     if (albedos.differ)
       throw UsageError("--albedo: mirrors share one albedo, expected one, not " + albedos.name());
-    return std::make_unique<ConstantMirrorSurface>(aperture, albedos.one.at(wavelength_nm),
-                                                   light.max_bounces);
+    if (!profile.is_plain())
+      throw UsageError(
+          "--finish mirror: with an --albedo is of symmetric grooves, expected no --tilt or --slopes");
+    if (surface.specular) throw UsageError("--specular: is a part of matte panels, expected --finish matte");
+    return std::make_unique<ConstantMirrorSurface>(radians(surface.aperture_deg), one, light.max_bounces);
   }
   if (light.max_bounces != all_bounces)
     throw UsageError("--max-bounces: between matte panels light is not followed bounce by bounce");
-  return std::make_unique<MatteSurface>(aperture, albedos.one.at(wavelength_nm),
-                                        albedos.two.at(wavelength_nm));
+  if (surface.specular) {
+    if (albedos.differ || !profile.is_plain())
+      throw UsageError(
+          "--specular: is of panels of one albedo in symmetric grooves, expected neither two albedos nor "
+          "--tilt or "
+          "--slopes");
+    const double specular = surface.specular->at(wavelength_nm);
+    if (one + specular > 1)
+      throw UsageError("--specular: '" + exact(specular) + "' with an albedo of " + exact(one) +
+                       " reflects more than all light, expected a sum of at most 1");
+    return std::make_unique<MatteSpecularSurface>(radians(surface.aperture_deg), one, specular);
+  }
+  const double two = albedos.two.at(wavelength_nm);
+  const Shape shape = shape_of(surface);
+  if (shape.tilt != 0)
+    return std::make_unique<AsymmetricMatteSurface>(AsymmetricGroove<double>(shape.aperture, shape.tilt), one,
+                                                    two);
+  return std::make_unique<MatteSurface>(shape.aperture, one, two);
 }
 
 }  // namespace vcavity::tools

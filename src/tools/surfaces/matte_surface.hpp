@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The symmetric groove whose panels have an albedo: matte ones, or mirrors that reflect alike at every angle.
+/// The groove whose panels have an albedo: matte ones, with or without a specular part, or mirrors that reflect alike at
+/// every angle.
 
 #include <memory>
 

@@ -15,11 +15,23 @@ const char* name_of(Finish finish) {
   return finish == Finish::matte ? "matte" : "mirror";
 }
 
+namespace {
+
+/// "0.5", "0.5 and specular 0.1"
+std::string albedo_of(const SurfaceDescription& surface) {
+  return surface.albedos->name() + (surface.specular ? " and specular " + surface.specular->name() : "");
+}
+
+}  // namespace
+
 nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
-  if (surface.albedos)
-    return {{"finish", name_of(surface.finish)},
-            {"albedo", surface.albedos->name()},
-            {"aperture_deg", surface.aperture_deg}};
+  if (surface.albedos) {
+    nlohmann::ordered_json fields{{"finish", name_of(surface.finish)}, {"albedo", surface.albedos->name()}};
+    if (surface.specular) fields["specular"] = surface.specular->name();
+    fields["aperture_deg"] = surface.aperture_deg;
+    fields.update(fields_of(surface.profile));
+    return fields;
+  }
   nlohmann::ordered_json fields{{"material", material_of(surface)}};
   if (surface.roughness) {
     fields.update(fields_of(*surface.roughness));
@@ -32,13 +44,13 @@ nlohmann::ordered_json fields_of(const SurfaceDescription& surface) {
 }
 
 std::string material_of(const SurfaceDescription& surface) {
-  if (surface.albedos) return std::string(name_of(surface.finish)) + " " + surface.albedos->name();
+  if (surface.albedos) return std::string(name_of(surface.finish)) + " " + albedo_of(surface);
   return panels_in_words(surface.profile, surface.material);
 }
 
 std::string grooves_in_words(const SurfaceDescription& surface) {
   if (surface.albedos)
-    return std::string(name_of(surface.finish)) + " grooves of albedo " + surface.albedos->name();
+    return std::string(name_of(surface.finish)) + " grooves of albedo " + albedo_of(surface);
   return surface.material.constant() ? "grooves of index " + material_of(surface)
                                      : material_of(surface) + " grooves";
 }
@@ -64,6 +76,7 @@ std::string albedo_in_words(const SurfaceDescription& surface) {
   const PanelAlbedos& albedos = *surface.albedos;
   std::string words = std::string(name_of(surface.finish)) + " panels, " + albedos.one.source();
   if (albedos.differ) words += " on panel one, " + albedos.two.source() + " on panel two";
+  if (surface.specular) words += ", specular part: " + surface.specular->source();
   return words;
 }
 

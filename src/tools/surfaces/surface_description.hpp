@@ -35,6 +35,7 @@ struct SurfaceDescription {
   std::optional<Roughness> roughness = std::nullopt;  ///< a distribution of grooves, in place of one aperture
   Finish finish = Finish::mirror;
   std::optional<PanelAlbedos> albedos = std::nullopt;  ///< of the panels, in place of the material
+  std::optional<Albedo> specular = std::nullopt;       ///< what matte panels reflect like mirrors besides
 };
 
 /// How light is followed.
