@@ -9,6 +9,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/surface_options.hpp"
+#include "tools/cost/brdf_cost.hpp"
 #include "tools/images/plot.hpp"
 #include "tools/images/progress.hpp"
 #include "tools/materials/provenance.hpp"
@@ -104,6 +105,7 @@ std::vector<CostSection> sections_of(const SurfaceDescription& surface, double w
   std::vector<CostSection> sections;
   const bool bare = is_bare_symmetric_groove(surface);
   const bool polarizes = !surface.albedos;  // an albedo says nothing of polarised light
+  const bool has_brdf = surface.roughness && surface.films.empty();
   Progress progress(bare ? 5 : polarizes ? 2 : 1);
   const auto add = [&](CostSection section) {
     if (!section.rows.empty()) sections.push_back(std::move(section));
@@ -112,6 +114,9 @@ std::vector<CostSection> sections_of(const SurfaceDescription& surface, double w
   if (!bare) {
     add(cost_of_surface(surface, wavelength_nm));
     if (polarizes) add(cost_of_polarization(surface, wavelength_nm));
+    if (has_brdf)
+      for (CostSection& section : costs_of_brdf(surface, wavelength_nm))
+        sections.push_back(std::move(section));
     return sections;
   }
   const RefractiveIndex index = surface.material.at(wavelength_nm);

@@ -84,7 +84,7 @@ class RoughSurface final : public Surface {
     typename Bsdf::Value sum(0);
     bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
       sum = sum + part;
-      if (bounces <= listed_bounces) result.by_bounces[bounces] += inverse * unpolarized(part);
+      if (bounces <= listed_parts) result.by_bounces[bounces] += inverse * unpolarized(part);
     });
     result.value = reflected(typename Bsdf::Value(inverse * sum));
     return result;
@@ -105,7 +105,8 @@ class RoughSurface final : public Surface {
 
  private:
   using Bsdf = RoughGrooveBsdf<ChosenSlopes, Model>;
-  static constexpr int listed_bounces = 15;
+  static constexpr int listed_bounces = 31;  // of the albedo, an integral for each
+  static constexpr int listed_parts = 256;   // of a BRDF, of which few exist
   static constexpr double least_height = 1e-100;
 
   Bsdf bsdf_;
