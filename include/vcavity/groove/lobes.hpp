@@ -73,16 +73,19 @@ VCAVITY_INLINE void for_each_lobe(const Groove& groove, const Vec3<Real>& toward
     Real reached = opening.first_met(first);
     if (!any_of(reached > scalar_t<Real>(0))) continue;
 
-    // A bounce, or many of them; and all that makes these fast (narrow_groove.hpp).
-    const BouncesTogether<Groove, Real, Facet> bounce(groove, facet, ray, most, follow.dark_light);
+    // All that makes long series fast; it changes no result (narrow_groove.hpp).
+    const LongSeries<Groove, Real, Facet> series(groove, facet, ray, most, follow.dark_light);
     Value throughput(1);
-    bounce.begin(ray, throughput);
+    series.begin(ray, throughput);
     for (;;) {
-      UnfoldedRay<Real> last = ray;
-      const bool goes_on = bounce(last, ray, throughput);
+      const bool is_followed = series.reflect(ray, throughput);
+      const UnfoldedRay<Real> last = ray;
+      ray.advance();
+      if (is_followed && series.all_reach(last, ray)) continue;
 
       // What reaches the next image; the rest leaves.
-      Real next = goes_on ? opening.reached(ray, reached) : Real(0);
+      Real next =
+          is_followed && last.number() < groove.max_bounces() ? opening.reached(ray, reached) : Real(0);
       next = select(next >= negligible, next, Real(0));
       next = select(Real(reached - next) >= negligible, next, reached);
       const Real weight = reached - next;

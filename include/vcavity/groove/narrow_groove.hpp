@@ -153,11 +153,10 @@ VCAVITY_INLINE value_t<Facet, Real> reflect(const Facet& facet, const UnfoldedRa
   }
 }
 
-/// How light of one direction and first panel bounces: once, or as often as all of it does.
-///
-/// The ray and its throughput stay with the caller, in registers; as members compilers keep them in memory.
+/// What `for_each_lobe` asks about the bounces of one direction and first panel. The ray and its throughput stay with
+/// the caller, in registers; as members compilers keep them in memory.
 template <class Groove, class Real, class Facet>
-class BouncesTogether {
+class LongSeries {
  public:
   using Value = value_t<Facet, Real>;
 
@@ -165,8 +164,8 @@ class BouncesTogether {
   /// @param first the ray at its first bounce
   /// @param max_bounces after so many it is followed no further
   /// @param dark_light what becomes of light of which nothing is left
-  VCAVITY_INLINE BouncesTogether(const Groove& groove, const Facet& facet, const UnfoldedRay<Real>& first,
-                                 int max_bounces, DarkLight dark_light)
+  VCAVITY_INLINE LongSeries(const Groove& groove, const Facet& facet, const UnfoldedRay<Real>& first,
+                            int max_bounces, DarkLight dark_light)
       : groove_(groove),
         facet_(facet),
         shared_(shared_bounces(groove, first)),
@@ -187,27 +186,27 @@ class BouncesTogether {
     }
   }
 
-  /// Does the next bounce, and with it those after which no light leaves.
-  /// @param last the ray at this bounce; at the last one that was done afterwards
-  /// @param ray the same; at the image behind that afterwards
-  /// @param throughput of the bounces before; and of these afterwards
-  /// @return whether some of the light may bounce there
-  VCAVITY_INLINE bool operator()(UnfoldedRay<Real>& last, UnfoldedRay<Real>& ray, Value& throughput) const {
-    for (;;) {
-      if (!is_dark(throughput, ray.number())) {
-        const Value reflected = reflect(facet_, ray);
-        if (!cheaper_than_branch<Value> && ray.number() == 1)
-          throughput = reflected;
-        else
-          throughput = throughput * reflected;
-      } else if (dark_light_ == DarkLight::merged) {
-        return false;
-      }
-      ray.advance();
-      if (!(last.number() < most_ && is_long_ && shared_.include(ray))) break;
-      last = ray;
+  /// Multiplies by the facet's value for one bounce, unless nothing is left of the light.
+  /// @param ray at this bounce
+  /// @param throughput of the bounces before; and of this one afterwards
+  /// @return whether the light is followed any further
+  VCAVITY_INLINE bool reflect(const UnfoldedRay<Real>& ray, Value& throughput) const {
+    if (!is_dark(throughput, ray.number())) {
+      const Value reflected = vcavity::reflect(facet_, ray);
+      if (!cheaper_than_branch<Value> && ray.number() == 1)
+        throughput = reflected;
+      else
+        throughput = throughput * reflected;
+      return true;
     }
-    return last.number() < groove_.max_bounces();
+    return dark_light_ == DarkLight::followed;
+  }
+
+  /// Whether all of the light surely bounces at an image too, so that none leaves before; asked only where that pays.
+  /// @param last the ray at the last bounce
+  /// @param ray at the image behind that
+  VCAVITY_INLINE bool all_reach(const UnfoldedRay<Real>& last, const UnfoldedRay<Real>& ray) const {
+    return last.number() < most_ && is_long_ && shared_.include(ray);
   }
 
  private:
