@@ -29,10 +29,10 @@ constexpr std::size_t component_count(const Pack<Real, size, most_bytes>&) {
   return size;
 }
 
-/// Component `i` of a value, counted from 0; of a number the number itself.
+/// Component `i` of a value, counted from 0; of a number the number itself. It lives as long as the value does.
 template <class Value>
-constexpr decltype(auto) component(Value& value, [[maybe_unused]] std::size_t i) {
-  if constexpr (Number<std::remove_const_t<Value>>)
+constexpr decltype(auto) component(Value&& value, [[maybe_unused]] std::size_t i) {
+  if constexpr (Number<std::remove_cvref_t<Value>>)
     return (value);
   else if constexpr (requires { value.length(); })
     return (value[static_cast<glm::length_t>(i)]);
