@@ -70,8 +70,8 @@ constexpr Kind kinds[] = {
     {"glasses", glass, 20, 180, 1},
     {"n < 1", rarer, 20, 180, 0.4},
     {"n < 1, absorbing", absorbing_rarer, 20, 180, 0.05},
-    {"metals, narrow", metal, 0.001, 20, 0.2},
-    {"glasses, narrow", glass, 0.001, 20, 0.4},
+    {"metals, narrow", metal, 0.001, 20, 0.1},
+    {"glasses, narrow", glass, 0.001, 20, 0.2},
     {"n < 1, narrow", rarer, 0.3, 20, 0.01},
     {"n < 1, absorbing, narrow", absorbing_rarer, 0.3, 20, 0.01},
 };

@@ -248,7 +248,9 @@ void follow(const BounceSeries<Real>& series, int m, const Bounces& bounces,
           [&](const Real& count) { return series.smooth_weight(count); }, products);
       const Real error = block.uncertain * (odd_rest + term.rest);
       constexpr Real small = Real(0.01);
-      if (!(error <= small * limits.negligible)) {
+      // Rounding of reflectances does as much, at 8 ε in either of two.
+      const Real rounding = Real(16) * Real(2 << log2) * std::numeric_limits<Real>::epsilon() * left;
+      if (!(error <= at_least(Real(small * limits.negligible), rounding))) {
         most_log2 = std::max(log2 - 1, min_block_log2);
         continue;
       }
