@@ -56,3 +56,23 @@ TEST_CASE("the whole table shows each method of the reflectance with the errors 
   CHECK(traced.back() > traced.front() / 20);
 #endif
 }
+
+TEST_CASE(
+    "the error of the BRDF of a rough surface falls with the bounce limit, that of random walks with the "
+    "rays") {
+  std::map<std::string, std::vector<double>> errors;
+  for (const std::string& line :
+       lines_of(run("cost --material 0.1249+3.3391i --distribution beckmann --roughness 0.5 --all").out)) {
+    const std::vector<std::string> row = cells(line);
+    if (row.size() == 6 && !row[3].empty() && row[0] != "method" && !line.starts_with("|--"))
+      errors[row[0]].push_back(std::stod(row[2]));
+  }
+  const std::vector<double>& limits = errors.at("closed form");
+  REQUIRE(limits.size() == 8);
+  CHECK(limits.front() > 1e-2);
+  CHECK(limits[3] < 1e-6);
+  const std::vector<double>& walks = errors.at("random walks, explicit grooves");
+  REQUIRE(walks.size() == 3);
+  CHECK(walks.back() < walks.front());
+  CHECK(errors.at("albedo table").front() < 1e-3);
+}

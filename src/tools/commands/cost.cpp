@@ -105,7 +105,8 @@ std::vector<CostSection> sections_of(const SurfaceDescription& surface, double w
   std::vector<CostSection> sections;
   const bool bare = is_bare_symmetric_groove(surface);
   const bool polarizes = !surface.albedos;  // an albedo says nothing of polarised light
-  const bool has_brdf = surface.roughness && surface.films.empty();
+  // The integrals of a rough surface are integrals of integrals: to the last digits they would take an hour.
+  if (surface.roughness && surface.films.empty()) return costs_of_brdf(surface, wavelength_nm);
   Progress progress(bare ? 5 : polarizes ? 2 : 1);
   const auto add = [&](CostSection section) {
     if (!section.rows.empty()) sections.push_back(std::move(section));
@@ -114,9 +115,6 @@ std::vector<CostSection> sections_of(const SurfaceDescription& surface, double w
   if (!bare) {
     add(cost_of_surface(surface, wavelength_nm));
     if (polarizes) add(cost_of_polarization(surface, wavelength_nm));
-    if (has_brdf)
-      for (CostSection& section : costs_of_brdf(surface, wavelength_nm))
-        sections.push_back(std::move(section));
     return sections;
   }
   const RefractiveIndex index = surface.material.at(wavelength_nm);
