@@ -106,4 +106,10 @@ TEST_CASE("theta of 90 degrees is the horizon itself") {
     CHECK(result["lobes"][0]["weight"] == 1);
     CHECK(result["lobes"][0]["bounces"] == 1);
   }
+  // A flat surface absorbs in proportion to the height of the light, here that by which π is not a number.
+  const json flat = direction_of("--material 1.5 --aperture 180 --theta 90 --phi 0");
+  CHECK(flat["absorptance"].get<double>() ==
+        Approx(directional_absorptance(Cavity<double>(pi<double>()), {0, 1, 0}, Dielectric<double>(1.5)))
+            .epsilon(1e-9)
+            .margin(0));
 }
