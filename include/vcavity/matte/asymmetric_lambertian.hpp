@@ -166,7 +166,7 @@ class UnequalPanels {
       all[panel] = geometry.length(panel) * functions_[panel].mean();
       out[panel] = passing_sum(geometry, panel, absorbed_);
     }
-    Real error(0);
+    Real error(0), jump(0);
     for (const std::size_t panel : {0u, 1u}) {
       const std::size_t other = 1 - panel;
       // The equation, integrated over the panel with the exact integral of K.
@@ -174,11 +174,13 @@ class UnequalPanels {
           (Real(1) - albedos_[panel]) * geometry.length(panel) + albedos_[panel] * (all[other] - out[other]);
       const Real at_rim = Real(1) - albedos_[panel] + albedos_[panel] * crossed_to_rim(geometry, panel);
       const Real found = functions_[panel].at(Real(1));
-      error = std::max({error, Real(abs(balance - all[panel]) / geometry.opening()),
-                        Real(abs(at_rim - found)), functions_[panel].largest_jump()});
+      error =
+          std::max({error, Real(abs(balance - all[panel]) / geometry.opening()), Real(abs(at_rim - found))});
+      jump = std::max(jump, functions_[panel].largest_jump());
     }
-    error_ = safety() * (error + rounding());
-    bihemispherical_ = {(out[0] + out[1]) / geometry.opening(), error_, nodes()};
+    // Diffuse light needs the nodes alone, single directions what the polynomials say between them.
+    error_ = safety() * (std::max(error, jump) + rounding());
+    bihemispherical_ = {(out[0] + out[1]) / geometry.opening(), safety() * (error + rounding()), nodes()};
   }
 
   /// The share that a panel absorbs at a place, 1 − radiosity under unit diffuse light.
