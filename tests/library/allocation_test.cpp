@@ -147,6 +147,7 @@ TEMPLATE_TEST_CASE("no call for a path on a rough surface allocates", "", float,
            allocations_of_rough(MixedSlopes(ggx, beckmann, Real(0.4)), facet);
   };
   CHECK(of(silver) == 0);
+  CHECK(of(RationalFacet<Real>(silver)) == 0);
   CHECK(of(polarized(silver)) == 0);
   using Spectrum = Pack<Real, 8>;
   CHECK(of(Conductor<Spectrum>(Spectrum(Real(0.3)), Spectrum(Real(3)))) == 0);

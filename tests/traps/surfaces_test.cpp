@@ -64,6 +64,7 @@ template <class T, class Distribution>
 VCAVITY_NOINLINE void use_distribution(const Distribution& distribution, Sink<T>& sink) {
   const Traps traps;
   use_rough(distribution, Conductor<T>(T(0.1249), T(3.3391)), sink);
+  use_rough(distribution, RationalFacet<T>(Conductor<T>(T(0.7), T(0))), sink);
   use_rough(distribution, polarized(Conductor<T>(T(1.5), T(0))), sink);
 }
 
