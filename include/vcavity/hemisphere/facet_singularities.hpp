@@ -177,9 +177,10 @@ class FacetSingularities {
     for (const std::complex<double>& cosine : cosines_) {
       const bool is_branch = is_cut() && std::abs(cosine) == std::abs(branch_);
       if (!lit && is_branch) continue;
+      const std::complex<double> singular = std::acos(cosine);
       for (const double bounce : bounces)
         for (const double side : {1.0, -1.0}) {
-          std::complex<double> angle = side * std::acos(cosine) - bounce;
+          std::complex<double> angle = side * singular - bounce;
           constexpr double coincident = 1e-9;
           if (is_branch && (std::abs(angle - double_of(low)) < coincident * half ||
                             std::abs(angle - double_of(high)) < coincident * half))

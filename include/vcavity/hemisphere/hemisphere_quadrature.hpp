@@ -164,13 +164,11 @@ class HemisphereQuadrature {
   /// The integral over ψ.
   template <class Along>
   AdaptiveIntegral<Real, Value> integral_along(const Along& along) {
-    auto pieces = along.pieces();
-    if (!integrand_.is_cut() && !kept_pieces_.empty()) {
-      pieces = kept_pieces_;
-    } else {
+    const bool kept = !integrand_.is_cut() && !kept_pieces_.empty();
+    auto pieces = kept ? kept_pieces_ : along.pieces();
+    if (!kept)
       for (std::size_t i = 0; i < pieces.size() && i < kept_orders_.size(); ++i)
         pieces[pieces.size() - 1 - i].order = kept_orders_[i];
-    }
     const std::size_t count = pieces.size();
     auto result = integrate_adaptively<Real, Value>(
         std::move(pieces), along_tolerance_, {4, min_series_order, 56},
