@@ -42,7 +42,7 @@ template <class Number>
 void append(std::string& bytes, const Number& number) {
   std::array<char, sizeof(Number)> raw;
   std::memcpy(raw.data(), &number, sizeof(Number));
-  bytes.append(raw.begin(), raw.end());
+  for (const char byte : raw) bytes += byte;
 }
 
 /// The mirror image of `e` in facets of normal `m`.
