@@ -121,7 +121,7 @@ double index_from_formula(int formula, std::span<const double> coefficients, dou
       return std::sqrt(c[1] + pole + line);
     }
     default:
-      assert(!"formula out of range");
+      assert(false && "formula out of range");
       return std::nan("");
   }
 }
