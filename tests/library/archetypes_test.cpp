@@ -111,7 +111,7 @@ static_assert(OverDirections<TellingFacet> && !OverDirections<BareFacet>);
 struct Unmultipliable {
   using value_type = double;
   explicit Unmultipliable(int) {}
-  friend double largest(const Unmultipliable&) { return 0; }
+  [[maybe_unused]] friend double largest(const Unmultipliable&) { return 0; }
 };
 static_assert(!FacetValue<Unmultipliable> && !FacetReflectance<int, double>);
 

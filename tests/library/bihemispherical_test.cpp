@@ -392,7 +392,7 @@ struct PlainFields {
   friend PlainFields operator*(const PlainFields& a, const PlainFields& b) {
     return PlainFields(a.field * b.field);
   }
-  friend double largest(const PlainFields& a) { return light_left(a); }
+  [[maybe_unused]] friend double largest(const PlainFields& a) { return light_left(a); }
   friend double light_left(const PlainFields& a) { return detail::light_left(a.field); }
 };
 double power(const PlainFields& a) {
