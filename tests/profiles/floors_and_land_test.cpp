@@ -276,7 +276,6 @@ TEST_CASE("floors, slopes and lands that make no surface are refused") {
 }
 
 TEST_CASE("bi-hemispherical reflectance of floors takes no tolerance for more than rounding allows") {
-  const Conductor<double> silver(0.1249, 3.3391);
   const TruncatedGroove<double> groove(radians(60.0), radians(70.0), 0.5);
   const auto coarse = bihemispherical_reflectance(groove, silver, 1e-9);
   const auto fine = bihemispherical_reflectance(groove, silver, 1e-15);
@@ -312,7 +311,6 @@ TEST_CASE("light that needs too many bounces is left out of floors and land, in 
 }
 
 TEST_CASE("diffuse reflectance by the number of bounces adds up to all of it over floors") {
-  const Conductor<double> silver(0.1249, 3.3391);
   const auto mirror_of = [](const auto&) { return 1.0; };
   const TruncatedGroove<double> groove(radians(60.0), radians(70.0), 0.5);
   double mean_bounces = 0, last = 0;
@@ -337,13 +335,13 @@ TEST_CASE("land lies between symmetric grooves of two materials as between other
 }
 
 TEST_CASE("two materials meet in the middle of a plane") {
-  const Conductor<double> silver(0.1249, 3.3391), glass(1.5, 0.0);
+  const Conductor<double> clear(1.5, 0.0);
   const Cavity<double> plane(pi<double>());
   const double silver_alone = bihemispherical_reflectance(plane, silver, 1e-12).value;
-  const double glass_alone = bihemispherical_reflectance(plane, glass, 1e-12).value;
+  const double clear_alone = bihemispherical_reflectance(plane, clear, 1e-12).value;
   const auto both =
-      bihemispherical_reflectance(Land(plane, 0.2), FaceFacets{silver, glass, silver, glass}, 1e-12);
-  CHECK(std::abs(both.value - (0.4 * silver_alone + 0.6 * glass_alone)) < 1e-12);
+      bihemispherical_reflectance(Land(plane, 0.2), FaceFacets{silver, clear, silver, clear}, 1e-12);
+  CHECK(std::abs(both.value - (0.4 * silver_alone + 0.6 * clear_alone)) < 1e-12);
 }
 
 TEST_CASE("between walls a few minutes of arc from vertical the weights over a floor keep eleven digits") {

@@ -102,7 +102,8 @@ struct Report {
 };
 
 void compare(const Material& material, const Reading& reading, Report& report) {
-  const auto& [wavelength_nm, expected] = reading;
+  const double wavelength_nm = reading.wavelength_nm;
+  const RefractiveIndex& expected = reading.index;
   const auto disagree = [&](const std::string& here) {
     report.disagreements.push_back(material.name() + " at " + std::to_string(wavelength_nm) + " nm: " + here +
                                    ", the other reader has " + std::to_string(expected.n) + " + " +
