@@ -66,10 +66,14 @@ class EvenAcross {
   /// @param distance in u of the next singularity
   double error(double difference, double size, double distance) const {
     constexpr double safety = 25;  // as for series (legendre_series.hpp)
+    const double largest = std::max(difference, size);
+    if (!(largest > 0)) return 0;  // there is no light
+    const double half = static_cast<double>(aperture_) / 2;
+    if (!(distance > half)) return largest;  // the singularity is too near to say anything
     const double slope = difference / static_cast<double>(squares_[1] - squares_[0]);
-    const double nearness = static_cast<double>(aperture_) / 2 / distance;
-    const double fall = std::max({slope / size, nearness * nearness, static_cast<double>(aperture_)});
-    return safety * size * std::pow(fall, 4) * static_cast<double>(missed_);
+    const double nearness = half / distance;
+    const double fall = std::max({slope / largest, nearness * nearness, static_cast<double>(aperture_)});
+    return safety * largest * std::pow(fall, 4) * static_cast<double>(missed_);
   }
 
   /// The weight of the integrand at a node.

@@ -86,7 +86,7 @@ std::vector<double> checked_numbers(std::string_view words, std::string_view opt
                                     const Interval& interval) {
   std::vector<double> values;
   for (const std::string_view part : split(words, ',')) {
-    check_part_of_list(part, option, words);
+    if (!words.empty()) check_part_of_list(part, option, words);
     if (part.find(':') == part.npos) {
       values.push_back(checked_number(part, option, interval));
     } else {
