@@ -172,8 +172,8 @@ TEST_CASE("the BRDF of matte panels sends light where random walks go") {
 TEST_CASE("matte panels of unequal slope reflect what random walks bring back") {
   std::vector<MeanComparison> comparisons;
   const std::vector<Albedos> pairs{{0.5, 0.5}, {0.9, 0.3}, {0.0, 0.8}};
-  for (const auto& [aperture_deg, tilt_deg] :
-       {std::pair{60.0, 20.0}, {60.0, 45.0}, {100.0, -25.0}, {25.0, 40.0}}) {
+  for (const auto& shape_deg : {std::pair{60.0, 20.0}, {60.0, 45.0}, {100.0, -25.0}, {25.0, 40.0}}) {
+    const double aperture_deg = shape_deg.first, tilt_deg = shape_deg.second;
     const double aperture = vcavity::radians(aperture_deg), tilt = vcavity::radians(tilt_deg);
     const vcavity::AsymmetricGroove<double> groove(aperture, tilt);
     const auto remains = [&](std::size_t i, const tracer::MatteWalk& walk) {
