@@ -37,15 +37,11 @@ def scene(surface):
     rows, columns = np.mgrid[0:32, 0:64]
     polar, azimuth = (rows + 0.5) * np.pi / 32, (columns + 0.5) * 2 * np.pi / 64
     sky = 1 + 0.5 * np.sin(polar) * np.sin(azimuth + 0.4) + 0.4 * np.cos(3 * azimuth) * np.sin(polar)**2
-    return mi.load_dict({
-        "type": "scene", "integrator": {"type": "direct", "emitter_samples": 0, "bsdf_samples": 1},
-        "sky": {"type": "envmap", "bitmap": mi.Bitmap(np.repeat(sky[..., None], 3, 2).astype(np.float32)),
-                "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)},
-        "plate": {"type": "rectangle", "bsdf": {"type": "vgroove", **INDEX, **surface}},
-        "sensor": {"type": "perspective", "fov": 20.0,
-                   "to_world": mi.ScalarTransform4f().look_at([1, -2, 2], [0, 0, 0], [0, 0, 1]),
-                   "film": {"type": "hdrfilm", "width": 16, "height": 16, "rfilter": {"type": "box"}},
-                   "sampler": {"type": "independent"}}})
+    return vgroove.plate(
+        {"type": "vgroove", **INDEX, **surface}, 16, film={"rfilter": {"type": "box"}},
+        integrator={"type": "direct", "emitter_samples": 0, "bsdf_samples": 1},
+        sky={"type": "envmap", "bitmap": mi.Bitmap(np.repeat(sky[..., None], 3, 2).astype(np.float32)),
+             "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)})
 
 
 def main():

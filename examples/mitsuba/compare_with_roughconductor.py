@@ -5,7 +5,6 @@ silver-like facets that reflect everything ("none"), and how long a rendering ta
 
 import argparse
 import math
-import time
 
 import mitsuba as mi
 import numpy as np
@@ -22,22 +21,6 @@ def albedo(bsdf, theta, samples):
     return np.mean([np.ravel(bsdf.sample(context, si, u[0], u[1:])[1])[0] for u in numbers])
 
 
-def seconds(bsdf):
-    """Processor time of rendering a plate under a lamp and a sky: each path takes a sample, a value and a density."""
-    scene = mi.load_dict({
-        "type": "scene", "integrator": {"type": "path", "max_depth": 2}, "sky": {"type": "constant"},
-        "plate": {"type": "rectangle", "bsdf": bsdf},
-        "sensor": {"type": "perspective", "fov": 20.0,
-                   "to_world": mi.ScalarTransform4f().look_at([1, -2, 2], [0, 0, 0], [0, 0, 1]),
-                   "film": {"type": "hdrfilm", "width": 64, "height": 64}, "sampler": {"type": "independent"}}})
-    times = []
-    for seed in range(4):
-        start = time.process_time()
-        mi.render(scene, spp=32, seed=seed)
-        times.append(time.process_time() - start)
-    return min(times)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--samples", type=int, default=20_000, help="directions per number; 20000 by default")
@@ -51,8 +34,8 @@ def main():
     for roughness in ROUGHNESSES:
         ours = {"type": "vgroove", "distribution": "ggx", "roughness": roughness}
         theirs = {"type": "roughconductor", "distribution": "ggx", "alpha": roughness}
-        ratio = (seconds(mi.load_dict({**ours, "material": "Cu"}))
-                 / seconds(mi.load_dict({**theirs, "material": "Cu"})))
+        ratio = (vgroove.seconds(mi.load_dict({**ours, "material": "Cu"}), 32, 4)
+                 / vgroove.seconds(mi.load_dict({**theirs, "material": "Cu"}), 32, 4))
         for angle in ANGLES_DEG:
             values = [albedo(mi.load_dict({"material": "none", **bsdf}), math.radians(angle), options.samples)
                       for bsdf in (theirs, {**ours, "max_bounces": 1}, ours)]

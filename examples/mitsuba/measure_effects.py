@@ -10,7 +10,6 @@ numbers, stratified. The times are those of rendering a plate of the surface, ag
 import argparse
 import math
 import sys
-import time
 
 import mitsuba as mi
 import numpy as np
@@ -75,23 +74,6 @@ def radiance(bsdf, wi, patches, rough):
     return (np.array(weights) * sky(np.array(directions), patches)).sum(axis=0)
 
 
-def seconds(bsdf, samples):
-    """Processor time of rendering a plate that fills the picture."""
-    scene = mi.load_dict({
-        "type": "scene", "integrator": {"type": "path", "max_depth": 2}, "sky": {"type": "constant"},
-        "plate": {"type": "rectangle", "bsdf": bsdf},
-        "sensor": {"type": "perspective", "fov": 20.0,
-                   "to_world": mi.ScalarTransform4f().look_at([1, -2, 2], [0, 0, 0], [0, 0, 1]),
-                   "film": {"type": "hdrfilm", "width": 64, "height": 64}, "sampler": {"type": "independent"}}})
-    mi.render(scene, spp=samples)
-    times = []
-    for seed in range(3):
-        start = time.process_time()
-        mi.render(scene, spp=samples, seed=seed)
-        times.append(time.process_time() - start)
-    return min(times)
-
-
 def chosen(bsdf):
     return next(line.split("=", 1)[1].strip(" ,") for line in str(bsdf).splitlines() if "effects =" in line)
 
@@ -121,7 +103,7 @@ def main():
             wi = [sin_theta * math.cos(phi), sin_theta * math.sin(phi), cos_theta]
             difference = radiance(planned, wi, patches, rough) - radiance(reference, wi, patches, rough)
             largest = max(largest, np.abs(difference).max())
-        ratio = seconds(full(parameters), options.samples) / seconds(planned, options.samples)
+        ratio = vgroove.seconds(full(parameters), options.samples, 3) / vgroove.seconds(planned, options.samples, 3)
         print(f"| {name} | {tolerance:g} | {chosen(planned)} | {largest:.1g} | {ratio:.1f} × |", flush=True)
         failed |= not largest <= tolerance
     return 1 if failed else 0

@@ -191,9 +191,10 @@ class GrooveParameters {
   /// Whether grooves of many apertures and directions make the surface, rather than parallel ones.
   bool is_rough() const { return !distribution.empty(); }
 
-  /// The lines of `to_string` that tell the shape.
-  std::string shape_in_words() const {
+  /// What `to_string` says.
+  std::string in_words() const {
     std::ostringstream text;
+    text << "VGroove[" << std::endl;
     if (is_rough()) {
       text << "  distribution = " << distribution << "," << std::endl
            << "  roughness_u = " << string::indent(roughness_u->texture()) << "," << std::endl
@@ -203,6 +204,11 @@ class GrooveParameters {
       text << "  aperture = " << string::indent(aperture.texture()) << "," << std::endl
            << "  lobe_width = " << vcavity::degrees(lobe_width) << "," << std::endl;
     }
+    text << "  rotation = " << string::indent(rotation.texture()) << "," << std::endl
+         << "  effects = " << vgroove::described(effects) << "," << std::endl
+         << "  eta = " << string::indent(eta) << "," << std::endl
+         << "  k = " << string::indent(k) << std::endl
+         << "]";
     return text.str();
   }
 

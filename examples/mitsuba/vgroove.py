@@ -3,6 +3,7 @@
 
 import pathlib
 import sys
+import time
 
 import mitsuba as mi
 import numpy as np
@@ -47,6 +48,31 @@ def triangle_mesh(name, vertices, faces, texcoords=None, bsdf=None):
     if texcoords is not None:
         mesh.recompute_vertex_normals()
     return mesh
+
+
+def plate(bsdf, size, **others):
+    """A rectangle of a BSDF that fills a square picture; `others` are light, integrator and film options of the scene, as
+    `mi.load_dict` takes them."""
+    film = {"type": "hdrfilm", "width": size, "height": size, **others.pop("film", {})}
+    return mi.load_dict({
+        "type": "scene", "plate": {"type": "rectangle", "bsdf": bsdf},
+        "sensor": {"type": "perspective", "fov": 20.0,
+                   "to_world": mi.ScalarTransform4f().look_at([1, -2, 2], [0, 0, 0], [0, 0, 1]),
+                   "film": film, "sampler": {"type": "independent"}},
+        **others})
+
+
+def seconds(bsdf, samples, repetitions):
+    """Processor time of rendering 64 × 64 pixels of a plate in a sky: each path takes a sample, a value and a density. The
+    least of several times."""
+    scene = plate(bsdf, 64, integrator={"type": "path", "max_depth": 2}, sky={"type": "constant"})
+    mi.render(scene, spp=samples)
+    times = []
+    for seed in range(repetitions):
+        start = time.process_time()
+        mi.render(scene, spp=samples, seed=seed)
+        times.append(time.process_time() - start)
+    return min(times)
 
 
 def is_vectorised():

@@ -90,17 +90,7 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
     Base::parameters_changed(keys);
   }
 
-  std::string to_string() const override {
-    std::ostringstream text;
-    text << "VGroove[" << std::endl
-         << parameters_.shape_in_words() << "  rotation = " << string::indent(parameters_.rotation.texture())
-         << "," << std::endl
-         << "  effects = " << vgroove::described(parameters_.effects) << "," << std::endl
-         << "  eta = " << string::indent(parameters_.eta) << "," << std::endl
-         << "  k = " << string::indent(parameters_.k) << std::endl
-         << "]";
-    return text.str();
-  }
+  std::string to_string() const override { return parameters_.in_words(); }
 
   MI_DECLARE_CLASS(VGrooveLanes)
 

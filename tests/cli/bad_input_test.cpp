@@ -2,6 +2,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "cli/program.hpp"
 #include "output/small_disk.hpp"
 #include "support/catch.hpp"
@@ -206,6 +212,32 @@ TEST_CASE("a full disk is reported and earlier files stay as they were") {
                 "cannot write 'a.exr': No space left on device");
   CHECK(content(folder / "a.exr") == earlier);
   CHECK(folder.names() == std::vector<std::string>{"a.exr"});
+}
+
+TEST_CASE("no command that writes a file loses the earlier one when the disk is full") {
+  const SmallDisk disk;
+  if (!disk.mounted()) {
+    WARN("not permitted to mount a small disk, test skipped");
+    return;
+  }
+  const auto& folder = disk.folder();
+  const std::string groove = " --material Ag --aperture 45";
+  for (const auto& [name, command] : std::vector<std::pair<std::string, std::string>>{
+           {"a.xml", "export --finish matte --albedo 0.5 --aperture 180 --out"},
+           {"a.svg", "direction" + groove + " --theta 30 --phi 20 --plot"},
+           {"b.svg", "table --material Ag --aperture 45,60 --plot"},
+           {"c.svg", "materials Cu --plot"},
+           {"a.png", "map" + groove + " --size 64 --png"}}) {
+    CAPTURE(command);
+    std::ofstream(folder / name) << "earlier" << std::flush;
+    std::ofstream(folder / "filler") << std::string(100'000, 'x') << std::flush;
+    const Outcome outcome = run(command + " " + name, folder.path());
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err == "vcavity_maps: cannot write '" + name + "': No space left on device\n");
+    CHECK(content(folder / name) == "earlier");
+    CHECK(folder.names().size() == 2);
+    std::filesystem::remove(folder / name);
+  }
 }
 
 TEST_CASE("a device without space is reported") {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vcavity/vcavity.hpp>
 
+#include "cli/json_result.hpp"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "tools/images/exr.hpp"
@@ -13,13 +14,6 @@
 using namespace vcavity;
 
 namespace {
-
-nlohmann::json json_of(const std::string& line) {
-  const Outcome outcome = run(line + " --format json");
-  CAPTURE(line, outcome.err);
-  REQUIRE(outcome.status == 0);
-  return nlohmann::json::parse(outcome.out);
-}
 
 /// What the library says of a groove of titanium under films of TiO2 and SiO2.
 double by_library(double aperture_deg, const Vec3<double>& e, double wavelength_nm, double tio2_nm,
@@ -40,7 +34,7 @@ const std::string a_direction = "direction --material Ti --aperture 45 --theta 3
 
 TEST_CASE("films stand on the facets, the top one first, as dispersive as their materials") {
   const auto answer =
-      json_of(a_direction + "--wavelength 450,600 --film TiO2-Siefke:20:60:40 --film SiO2-Malitson:35");
+      result_of(a_direction + "--wavelength 450,600 --film TiO2-Siefke:20:60:40 --film SiO2-Malitson:35");
   const auto& rows = answer["rows"];
   REQUIRE(rows.size() == 4);
   for (const auto& row : rows) {
@@ -59,7 +53,7 @@ TEST_CASE("films stand on the facets, the top one first, as dispersive as their 
 TEST_CASE("a film of thickness 0 changes no digit") {
   for (const std::string line :
        {"table --material Ti --aperture 45", "table --material 1.5 --aperture 60 --polarization full"}) {
-    const auto bare = json_of(line), coated = json_of(line + " --film TiO2-Siefke:0 --film 1.3+0.2i:0");
+    const auto bare = result_of(line), coated = result_of(line + " --film TiO2-Siefke:0 --film 1.3+0.2i:0");
     CHECK(coated["rows"][0]["reflectance"] == bare["rows"][0]["reflectance"]);
     CHECK(coated["rows"][0]["error_estimate"] == bare["rows"][0]["error_estimate"]);
     CHECK(coated["rows"][0]["films"].size() == 2);
@@ -88,8 +82,8 @@ TEST_CASE("maps of films hold each wavelength with its own indices, and name the
 
 TEST_CASE("plans know films") {
   const auto answer =
-      json_of("table --material Ti --aperture 90 --film TiO2-Siefke:60 --effects auto --tolerance 1e-3");
-  const auto exact = json_of("table --material Ti --aperture 90 --film TiO2-Siefke:60 --polarization full");
+      result_of("table --material Ti --aperture 90 --film TiO2-Siefke:60 --effects auto --tolerance 1e-3");
+  const auto exact = result_of("table --material Ti --aperture 90 --film TiO2-Siefke:60 --polarization full");
   const auto& row = answer["rows"][0];
   CHECK(std::abs(row["reflectance"].get<double>() - exact["rows"][0]["reflectance"].get<double>()) <=
         row["error_estimate"].get<double>());

@@ -5,27 +5,14 @@
 #include <vcavity/matte/lambertian_cavity.hpp>
 #include <vcavity/matte/lambertian_specular.hpp>
 
+#include "cli/json_result.hpp"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 
 using nlohmann::json;
 using namespace vcavity;
 
-namespace {
-
-json result_of(const std::string& line, const std::filesystem::path& folder) {
-  const Outcome outcome = run(line + " --format json", folder);
-  CAPTURE(line, outcome.err);
-  REQUIRE(outcome.status == 0);
-  return json::parse(outcome.out);
-}
-
-json result_of(const std::string& line) {
-  const ScratchFolder folder;
-  return result_of(line, folder.path());
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("table knows matte grooves of one albedo and of two") {
   const json result = result_of("table --finish matte --albedo 0.8,0.9/0.3 --aperture 60,180");

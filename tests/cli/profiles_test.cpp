@@ -11,6 +11,7 @@
 #include <vcavity/profiles/trench.hpp>
 #include <vcavity/profiles/truncated_groove.hpp>
 
+#include "cli/json_result.hpp"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 
@@ -18,13 +19,6 @@ using nlohmann::json;
 using namespace vcavity;
 
 namespace {
-
-json result_of(const std::string& line) {
-  const Outcome outcome = run(line + " --format json");
-  CAPTURE(line, outcome.err);
-  REQUIRE(outcome.status == 0);
-  return json::parse(outcome.out);
-}
 
 void check_refused(const std::string& line, const std::string& text) {
   CAPTURE(line);

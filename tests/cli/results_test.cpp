@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vcavity/vcavity.hpp>
 
+#include "cli/json_result.hpp"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 
@@ -16,14 +17,6 @@ using namespace vcavity;
 namespace {
 
 const Conductor<double> silver(0.1249, 3.3391);
-
-json result_of(const std::string& line) {
-  const Outcome outcome = run(line + " --format json");
-  CAPTURE(line, outcome.err);
-  REQUIRE(outcome.status == 0);
-  REQUIRE(outcome.err.empty());
-  return json::parse(outcome.out);
-}
 
 bool has_keys(const json& object, const std::set<std::string>& expected) {
   for (const std::string& key : expected)

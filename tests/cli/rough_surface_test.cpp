@@ -3,20 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/json_result.hpp"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 
 using nlohmann::json;
 
 namespace {
-
-json result_of(const std::string& line) {
-  const Outcome outcome = run(line + " --format json");
-  CAPTURE(line, outcome.err);
-  REQUIRE(outcome.status == 0);
-  REQUIRE(outcome.err.empty());
-  return json::parse(outcome.out);
-}
 
 const std::string rough_metal = "--material 0.2+3i --distribution ggx --roughness 0.3 ";
 

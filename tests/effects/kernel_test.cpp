@@ -59,6 +59,19 @@ double expected(const KernelJob& job, const Vec3<double>& e, const RefractiveInd
   });
 }
 
+/// All instruction sets give the numbers of the first, bit for bit.
+void check_that_kernels_agree(const KernelJob& job) {
+  for (const auto which : {&Kernel::in_double, &Kernel::in_single}) {
+    (kernels().front().*which)(job);
+    const std::vector<double> baseline(job.values.begin(), job.values.end());
+    for (const Kernel& kernel : kernels()) {
+      (kernel.*which)(job);
+      CAPTURE(std::string(kernel.instruction_set));
+      CHECK(std::equal(baseline.begin(), baseline.end(), job.values.begin()));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("kernels compute what the library does, in packs of directions and of wavelengths") {
@@ -86,18 +99,7 @@ TEST_CASE("kernels compute what the library does, in packs of directions and of 
 
 TEST_CASE("the kernels of all instruction sets give the same numbers, bit for bit") {
   REQUIRE(!kernels().empty());
-  for (const int wavelengths : {1, 11})
-    for_each_job(indices(wavelengths), [&](const KernelJob& job) {
-      for (const auto which : {&Kernel::in_double, &Kernel::in_single}) {
-        (kernels().front().*which)(job);
-        const std::vector<double> baseline(job.values.begin(), job.values.end());
-        for (const Kernel& kernel : kernels()) {
-          (kernel.*which)(job);
-          CAPTURE(std::string(kernel.instruction_set));
-          CHECK(std::equal(baseline.begin(), baseline.end(), job.values.begin()));
-        }
-      }
-    });
+  for (const int wavelengths : {1, 11}) for_each_job(indices(wavelengths), check_that_kernels_agree);
 }
 
 namespace {
@@ -166,15 +168,6 @@ TEST_CASE("kernels compute films as the library does, in packs of directions and
 }
 
 TEST_CASE("the kernels of all instruction sets give the same numbers under films, bit for bit") {
-  for_each_job_under_films([](const KernelJob& job, const std::vector<KernelFilm>&) {
-    for (const auto which : {&Kernel::in_double, &Kernel::in_single}) {
-      (kernels().front().*which)(job);
-      const std::vector<double> baseline(job.values.begin(), job.values.end());
-      for (const Kernel& kernel : kernels()) {
-        (kernel.*which)(job);
-        CAPTURE(std::string(kernel.instruction_set));
-        CHECK(std::equal(baseline.begin(), baseline.end(), job.values.begin()));
-      }
-    }
-  });
+  for_each_job_under_films(
+      [](const KernelJob& job, const std::vector<KernelFilm>&) { check_that_kernels_agree(job); });
 }

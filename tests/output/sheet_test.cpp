@@ -37,6 +37,31 @@ Page drawn(const Sheet& sheet) {
   return Page(folder / "a.png");
 }
 
+const Rgba8 white{255, 255, 255, 255};
+
+/// The colour bar to the right of red discs: its pixels within the frame.
+struct Bar {
+  int inside;  ///< a column
+  int right;   ///< the last column of the frame
+  int top, bottom;
+
+  explicit Bar(const Page& page) {
+    const Patch discs = page.find(red);
+    const int middle = static_cast<int>(discs.y);
+    inside = discs.right + 5;
+    while (inside + 8 < page.width && page.at(inside, middle) == white) ++inside;
+    inside += 8;  // from the frame into the bar
+    top = bottom = middle;
+    while (page.at(inside, top - 1) != white) --top;
+    while (page.at(inside, bottom + 1) != white) ++bottom;
+    right = inside;
+    while (page.at(right + 1, middle) != white) ++right;
+  }
+
+  /// The row of a share of the bar from its lower end.
+  int level(double share) const { return bottom - static_cast<int>(std::lround((bottom - top) * share)); }
+};
+
 }  // namespace
 
 TEST_CASE("a disc is drawn upright, round and to its rim, whatever its resolution") {
@@ -86,19 +111,11 @@ TEST_CASE("the colour bar shows the colour map with the highest value on top") {
   sheet.discs = {uniform(red), uniform(red)};
   sheet.colour_bar = ColourBar{ColourMap::viridis, 0.2, 1, "reflectance"};
   const Page page = drawn(sheet);
-  const Rgba8 white{255, 255, 255, 255};
-  const Patch discs = page.find(red);
-  const int level = static_cast<int>(discs.y);
-  int x = discs.right + 5;
-  while (x + 8 < page.width && page.at(x, level) == white) ++x;
-  x += 8;  // from the frame of the bar into it
-  int top = level, bottom = level;
-  while (page.at(x, top - 1) != white) --top;
-  while (page.at(x, bottom + 1) != white) ++bottom;
-  REQUIRE(bottom - top > 300);
+  const Bar bar(page);
+  REQUIRE(bar.bottom - bar.top > 300);
   for (const double value : {0.01, 0.25, 0.5, 0.75, 0.99}) {
     const Rgba8 expected = map_colour(ColourMap::viridis, value);
-    const Rgba8 shown = page.at(x, bottom - static_cast<int>(std::lround((bottom - top) * value)));
+    const Rgba8 shown = page.at(bar.inside, bar.level(value));
     CHECK(std::abs(expected.r - shown.r) + std::abs(expected.g - shown.g) + std::abs(expected.b - shown.b) <
           12);
   }
@@ -110,21 +127,11 @@ TEST_CASE("the numbers of the colour bar stand at their values") {
   // Ticks at 0.3, 0.4 to 1: one at the upper end of the bar, none at the lower.
   sheet.colour_bar = ColourBar{ColourMap::viridis, 0.25, 1, "reflectance"};
   const Page page = drawn(sheet);
-  const Rgba8 white{255, 255, 255, 255};
-  const Patch discs = page.find(red);
-  const int level = static_cast<int>(discs.y);
-  int x = discs.right + 5;
-  while (x + 8 < page.width && page.at(x, level) == white) ++x;
-  const int inside = x + 8;
-  int top = level, bottom = level;
-  while (page.at(inside, top - 1) != white) --top;
-  while (page.at(inside, bottom + 1) != white) ++bottom;
-  int frame = inside;
-  while (page.at(frame + 1, level) != white) ++frame;
+  const Bar bar(page);
   const auto marked = [&](double value) {
-    const int y = bottom - static_cast<int>(std::lround((bottom - top) * (value - 0.25) / 0.75));
+    const int y = bar.level((value - 0.25) / 0.75);
     for (int off = -2; off <= 2; ++off)
-      if (page.at(frame + 2, y + off) != white) return true;
+      if (page.at(bar.right + 2, y + off) != white) return true;
     return false;
   };
   for (const double value : {0.3, 0.5, 0.8, 0.9, 1.0}) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "tools/commands/bsdf_files.hpp"
+#include "tools/images/progress.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/error.hpp"
 
@@ -31,12 +34,6 @@ void require_isotropic(const ExportedSurface& surface) {
 /// In radians, of half vectors from the normal. In the mirror direction itself the BRDF of a rough surface is infinite, and
 /// next to it grooves of very many bounces count: so a table has there what the BRDF is at this distance.
 constexpr double nearest_to_mirror = 5e-3;
-
-double brdf_of(const Surface& surface, const Vec3<double>& e, const Vec3<double>& o) {
-  const auto brdf = surface.brdf(e, o);
-  if (!brdf) throw UsageError("export: a mirror has no BRDF; a rough surface can be exported");
-  return brdf->value.unpolarized;
-}
 
 template <class Number>
 void append(std::string& bytes, const Number& number) {
@@ -124,7 +121,7 @@ class HalfVectorTable {
         if (is_known)
           last = values_[index(nodes - 1 - row, column)];
         else if (is_above)
-          last = brdf_of(surface, e, o) * o.z;
+          last = surface.brdf(e, o)->value.unpolarized * o.z;
         values_[index(row, column)] = last;
         // Of solid angle to the unit square of the table.
         const double jacobian = 8 * pi<double>() * pi<double>() * u * std::sin(theta_m) * std::max(e_m, 0.0);
@@ -148,16 +145,23 @@ class HalfVectorTable {
 
 std::string measured_tensors(const ExportedSurface& surface) {
   require_isotropic(surface);
-  constexpr int angles = 46;
+  constexpr std::size_t angles = 46;
   constexpr double last_deg = 89.5;
   constexpr auto nodes = static_cast<std::uint64_t>(HalfVectorTable::nodes);
   const std::size_t wavelengths = surface.wavelengths_nm.size();
   std::vector<double> thetas, spectra, luminance;
-  for (int i = 0; i < angles; ++i) {
-    thetas.push_back(radians(last_deg * i / (angles - 1)));
+  for (std::size_t i = 0; i < angles; ++i)
+    thetas.push_back(radians(last_deg * static_cast<double>(i) / (angles - 1)));
+  std::vector<std::optional<HalfVectorTable>> tables(angles * wavelengths);
+  Progress progress(tables.size());
+  tbb::parallel_for(std::size_t{0}, tables.size(), [&](std::size_t i) {
+    tables[i].emplace(*surface.spectrum[i % wavelengths], thetas[i / wavelengths]);
+    progress.advance();
+  });
+  for (std::size_t angle = 0; angle < angles; ++angle) {
     std::vector<double> density(nodes * nodes, 0);
-    for (const auto& at_wavelength : surface.spectrum) {
-      const HalfVectorTable table(*at_wavelength, thetas.back());
+    for (std::size_t wavelength = 0; wavelength < wavelengths; ++wavelength) {
+      const HalfVectorTable& table = *tables[angle * wavelengths + wavelength];
       spectra.insert(spectra.end(), table.values().begin(), table.values().end());
       for (std::size_t k = 0; k < density.size(); ++k)
         density[k] += table.density()[k] / static_cast<double>(wavelengths);
@@ -191,28 +195,35 @@ std::string merl_binary(const ExportedSurface& surface) {
   // their data: cells of √θ_h, θ_d and φ_d, red first, in these units.
   constexpr int cells_theta = 90, cells_phi = 180;
   constexpr std::array<double, 3> unit{1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
+  // The values at each wavelength: rows of the half vector, and in them all difference vectors.
+  const std::size_t rows = surface.spectrum.size() * cells_theta;
+  std::vector<std::vector<double>> values(rows);
+  Progress progress(rows);
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
+    const Surface& at_wavelength = *surface.spectrum[row / cells_theta];
+    const double root = (static_cast<double>(row % cells_theta) + 0.5) / cells_theta;
+    const double theta_h = std::max(root * root * pi<double>() / 2, nearest_to_mirror);
+    for (int d = 0; d < cells_theta; ++d) {
+      const double theta_d = (d + 0.5) / cells_theta * pi<double>() / 2;
+      for (int p = 0; p < cells_phi; ++p) {
+        const Vec3<double> difference = from_angles(theta_d, (p + 0.5) / cells_phi * pi<double>());
+        // The half vector lies at y = 0; the difference vector is seen from it.
+        const Vec3<double> e{std::cos(theta_h) * difference.x + std::sin(theta_h) * difference.z,
+                             difference.y,
+                             std::cos(theta_h) * difference.z - std::sin(theta_h) * difference.x};
+        const Vec3<double> o = mirrored(e, from_angles(theta_h, 0));
+        values[row].push_back(e.z > 0 && o.z > 0 ? at_wavelength.brdf(e, o)->value.unpolarized : 0);
+      }
+    }
+    progress.advance();
+  });
   std::string bytes;
   for (const int cells : {cells_theta, cells_theta, cells_phi})
     append(bytes, static_cast<std::int32_t>(cells));
   for (std::size_t colour = 0; colour < unit.size(); ++colour) {
-    const Surface& at_wavelength = *surface.spectrum[surface.spectrum.size() == 1 ? 0 : 2 - colour];
-    for (int h = 0; h < cells_theta; ++h) {
-      const double root = (h + 0.5) / cells_theta;
-      const double theta_h = std::max(root * root * pi<double>() / 2, nearest_to_mirror);
-      for (int d = 0; d < cells_theta; ++d) {
-        const double theta_d = (d + 0.5) / cells_theta * pi<double>() / 2;
-        for (int p = 0; p < cells_phi; ++p) {
-          const Vec3<double> difference = from_angles(theta_d, (p + 0.5) / cells_phi * pi<double>());
-          // The half vector lies at y = 0; the difference vector is seen from it.
-          const Vec3<double> e{std::cos(theta_h) * difference.x + std::sin(theta_h) * difference.z,
-                               difference.y,
-                               std::cos(theta_h) * difference.z - std::sin(theta_h) * difference.x};
-          const Vec3<double> o = mirrored(e, from_angles(theta_h, 0));
-          const double value = e.z > 0 && o.z > 0 ? brdf_of(at_wavelength, e, o) : 0;
-          append(bytes, value / unit[colour]);
-        }
-      }
-    }
+    const std::size_t wavelength = surface.spectrum.size() == 1 ? 0 : unit.size() - 1 - colour;
+    for (std::size_t h = 0; h < cells_theta; ++h)
+      for (const double value : values[wavelength * cells_theta + h]) append(bytes, value / unit[colour]);
   }
   return bytes;
 }

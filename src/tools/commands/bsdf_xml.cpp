@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -8,6 +11,7 @@
 #include <vector>
 
 #include "tools/commands/bsdf_files.hpp"
+#include "tools/images/progress.hpp"
 #include "tools/materials/provenance.hpp"
 #include "tools/support/error.hpp"
 
@@ -91,11 +95,7 @@ std::vector<double> patch_means(const Surface& surface, const Vec3<double>& e, d
   double found = 0;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     double sum = 0;
-    for (const Vec3<double>& o : patches[i]) {
-      const auto brdf = surface.brdf(e, o);
-      if (!brdf) throw UsageError("export: a mirror has no BRDF; a rough or a matte surface can be exported");
-      sum += brdf->value.unpolarized;
-    }
+    for (const Vec3<double>& o : patches[i]) sum += surface.brdf(e, o)->value.unpolarized;
     means.push_back(sum / static_cast<double>(patches[i].size()));
     found += means[i] * solid_angles[i];
   }
@@ -119,23 +119,30 @@ std::vector<double> klems_matrix(const Surface& surface, bool is_isotropic) {
   for (const KlemsRing& ring : klems_full)
     solid_angles.insert(solid_angles.end(), static_cast<std::size_t>(ring.patches),
                         projected_solid_angle(ring));
-  std::map<double, double>
-      reflectances;  // of isotropic surfaces, by the cosine; each takes as long as many BRDFs
+  // Each takes as long as many BRDFs. Isotropic surfaces have one for all patches of a ring.
+  std::map<double, double> reflectances;
+  if (is_isotropic)
+    for (const KlemsRing& ring : klems_full)
+      for (const Vec3<double>& e : directions_of(ring, 0, across_from)) reflectances[e.z] = 0;
+  Progress progress(reflectances.size() + from.size());
+  tbb::parallel_for_each(reflectances.begin(), reflectances.end(), [&](auto& of_cosine) {
+    const double cosine = of_cosine.first;
+    of_cosine.second = surface.reflectance({0, std::sqrt(1 - cosine * cosine), cosine}).unpolarized;
+    progress.advance();
+  });
   const auto reflectance_of = [&](const Vec3<double>& e) {
-    if (!is_isotropic) return surface.reflectance(e).unpolarized;
-    const auto [entry, is_new] = reflectances.try_emplace(e.z, 0);
-    if (is_new) entry->second = surface.reflectance(e).unpolarized;
-    return entry->second;
+    return is_isotropic ? reflectances.at(e.z) : surface.reflectance(e).unpolarized;
   };
   std::vector<double> matrix(from.size() * to.size(), 0);
-  for (std::size_t column = 0; column < from.size(); ++column) {
+  tbb::parallel_for(std::size_t{0}, from.size(), [&](std::size_t column) {
     for (const Vec3<double>& travelling : from[column]) {
       const Vec3<double> e{-travelling.x, -travelling.y, travelling.z};
       const auto means = patch_means(surface, e, reflectance_of(e), to, solid_angles);
       for (std::size_t row = 0; row < to.size(); ++row)
         matrix[row * from.size() + column] += means[row] / static_cast<double>(from[column].size());
     }
-  }
+    progress.advance();
+  });
   return matrix;
 }
 

@@ -85,7 +85,8 @@ Result follow(const SurfaceAtWavelength& at, double theta_deg, double phi_deg, s
     result.brdf = surface->brdf(e, toward);
     if (!result.brdf) throw UsageError("--toward: a mirror has no BRDF; its lobes say where the light goes");
     result.cos_toward = toward.z;
-    for (const auto& [bounces, part] : result.brdf->by_bounces) result.by_bounces[bounces] = part * toward.z;
+    result.by_bounces = surface->by_bounces(e, toward);
+    for (auto& [bounces, part] : result.by_bounces) part *= toward.z;
   }
   return result;
 }

@@ -39,7 +39,6 @@ void run_export(ExportOptions options) {
     throw UsageError("export writes .xml (Radiance), .bsdf (Mitsuba) and .binary (MERL), not '" +
                      options.out + "'");
   }();
-  AtomicFile file(options.out);
   const SurfaceDescription& description = surfaces[0].surface;
   ExportedSurface exported{material_of(description) + ", " + in_words(description),
                            is_isotropic(description),
@@ -48,6 +47,10 @@ void run_export(ExportOptions options) {
   for (const SurfaceAtWavelength& at : surfaces)
     exported.spectrum.push_back(
         make_surface(at.surface, at.wavelength_nm, {Polarization::none, all_bounces}));
+  const Vec3<double> up{0, 0, 1};
+  if (!exported.spectrum.front()->brdf(up, up))
+    throw UsageError("export: a mirror has no BRDF, expected a rough or a matte surface");
+  AtomicFile file(options.out);
   file.write(write(exported));
   file.commit();
 }

@@ -77,7 +77,7 @@ double cost(const MapRequest& request) {
 }
 
 std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
-  std::vector<MapRequest> candidates;
+  std::vector<MapRequest> candidates, refined;
   for (const std::size_t stride : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u})
     for (const Polarization polarization : {Polarization::none, Polarization::full})
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
@@ -86,11 +86,17 @@ std::vector<MapRequest> cheaper_maps(const MapRequest& full) {
         candidate.wavelengths_nm = thinned(full.wavelengths_nm, stride);
         candidate.polarization = polarization;
         candidate.precision = precision;
+        if (candidate.wavelengths_nm.size() < 2) continue;
+        // With the wavelengths that colours take between those of the grid it is the full map unless something else is less.
+        const bool is_less = polarization != Polarization::full || precision != Precision::double_precision;
+        if (stride == 1 && is_less) refined.push_back(candidate);
         candidate.colour_grid = ColourGrid::as_given;
-        if (candidate.wavelengths_nm.size() > 1) candidates.push_back(std::move(candidate));
+        candidates.push_back(std::move(candidate));
       }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const MapRequest& a, const MapRequest& b) { return cost(a) < cost(b); });
+  const auto is_cheaper = [](const MapRequest& a, const MapRequest& b) { return cost(a) < cost(b); };
+  std::stable_sort(candidates.begin(), candidates.end(), is_cheaper);
+  std::stable_sort(refined.begin(), refined.end(), is_cheaper);
+  candidates.insert(candidates.end(), refined.begin(), refined.end());
   return candidates;
 }
 

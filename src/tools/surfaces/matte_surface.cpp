@@ -44,7 +44,7 @@ class MatteSurface final : public Surface {
   }
 
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
-    return SurfaceBrdf{reflected(matte().brdf(e, toward)), matte().brdf_error(e, toward), {}};
+    return SurfaceBrdf{reflected(matte().brdf(e, toward)), matte().brdf_error(e, toward)};
   }
 
   // A closed form, whatever the tolerance. That of two albedos is a difference that loses digits in narrow grooves.
@@ -86,7 +86,7 @@ class AsymmetricMatteSurface final : public Surface {
   }
 
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
-    return SurfaceBrdf{reflected(matte_.brdf(e, toward)), matte_.brdf_error(e, toward), {}};
+    return SurfaceBrdf{reflected(matte_.brdf(e, toward)), matte_.brdf_error(e, toward)};
   }
 
   Integral<double> bihemispherical(double) const override {

@@ -77,17 +77,9 @@ class RoughSurface final : public Surface {
   }
 
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
-    // At grazing angles the BRDF has a limit, which a small height comes close to.
-    const Vec3<double> o{toward.x, toward.y, std::max(toward.z, least_height)};
-    const double inverse = 1 / o.z;
-    SurfaceBrdf result;
-    typename Bsdf::Value sum(0);
-    bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
-      sum = sum + part;
-      if (bounces <= listed_parts) result.by_bounces[bounces] += inverse * unpolarized(part);
-    });
-    result.value = reflected(typename Bsdf::Value(inverse * sum));
-    return result;
+    const Vec3<double> o = off_horizon(toward);
+    const typename Bsdf::Value value = bsdf_.evaluate(e, o, Transport::importance);
+    return SurfaceBrdf{reflected(typename Bsdf::Value((1 / o.z) * value)), 0};
   }
 
   std::map<int, double> by_bounces(const Vec3<double>& e) const override {
@@ -99,6 +91,15 @@ class RoughSurface final : public Surface {
     return result;
   }
 
+  std::map<int, double> by_bounces(const Vec3<double>& e, const Vec3<double>& toward) const override {
+    const Vec3<double> o = off_horizon(toward);
+    std::map<int, double> result;
+    bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
+      if (bounces <= listed_parts) result[bounces] += unpolarized(part) / o.z;
+    });
+    return result;
+  }
+
   Integral<double> bihemispherical(double tolerance) const override {
     return bihemispherical_reflectance(bsdf_.distribution(), bsdf_.facet(), tolerance, max_bounces_);
   }
@@ -107,7 +108,12 @@ class RoughSurface final : public Surface {
   using Bsdf = RoughGrooveBsdf<ChosenSlopes, Model>;
   static constexpr int listed_bounces = 31;  // of the albedo, an integral for each
   static constexpr int listed_parts = 256;   // of a BRDF, of which few exist
-  static constexpr double least_height = 1e-100;
+
+  /// At grazing angles the BRDF has a limit, which a small height comes close to.
+  static Vec3<double> off_horizon(const Vec3<double>& o) {
+    constexpr double least_height = 1e-100;
+    return {o.x, o.y, std::max(o.z, least_height)};
+  }
 
   Bsdf bsdf_;
   RefractiveIndex index_;

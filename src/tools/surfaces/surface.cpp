@@ -34,6 +34,10 @@ std::map<int, double> Surface::by_bounces(const Vec3<double>&) const {
   return {};
 }
 
+std::map<int, double> Surface::by_bounces(const Vec3<double>&, const Vec3<double>&) const {
+  return {};
+}
+
 nlohmann::ordered_json Surface::more_about(const Vec3<double>&) const {
   return nlohmann::ordered_json::object();
 }

@@ -68,9 +68,8 @@ struct SurfaceRay {
 
 /// The bidirectional reflectance distribution function for a pair of directions.
 struct SurfaceBrdf {
-  Reflected value;                   ///< per steradian
-  double error = 0;                  ///< estimate of the absolute error; 0 where the value is a closed form
-  std::map<int, double> by_bounces;  ///< parts of value.unpolarized by the number of bounces; may be empty
+  Reflected value;   ///< per steradian
+  double error = 0;  ///< estimate of the absolute error; 0 where the value is a closed form
 };
 
 /// A surface at one wavelength, in one model of polarisation. Directions are unit vectors away from the surface, with
@@ -116,6 +115,11 @@ class Surface {
   /// The reflectance by the number of bounces, for surfaces that have a BRDF and know them; else empty.
   /// @param e towards the light
   virtual std::map<int, double> by_bounces(const Vec3<double>& e) const;
+
+  /// The BRDF for unpolarised light by the number of bounces, per steradian; empty where these are not known.
+  /// @param e towards the light
+  /// @param toward towards the viewer
+  virtual std::map<int, double> by_bounces(const Vec3<double>& e, const Vec3<double>& toward) const;
 
   /// Other results for a direction, a JSON object of numbers; empty unless the shape has some, such as
   /// `groove_reflectance` where there is land.
