@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lets the compiler of a configured build folder look at every file of this project, without making code.
 
-    cmake --preset clang -G Ninja && ./scripts/warnings.py build/clang
+    cmake --preset clang -G Ninja && ./scripts/compiler_warnings.py build/clang
 
 Exits with 1 if any file has a warning that the flags make an error.
 """
@@ -27,7 +27,7 @@ def checked(command):
 
 def main():
     if len(sys.argv) != 2:
-        sys.exit("usage: warnings.py BUILD_FOLDER")
+        sys.exit("usage: compiler_warnings.py BUILD_FOLDER")
     commands = json.loads((pathlib.Path(sys.argv[1]) / "compile_commands.json").read_text(encoding="utf-8"))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         good = list(pool.map(checked, commands))
