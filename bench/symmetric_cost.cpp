@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What the symmetric groove of one bare material costs: a program that compiles with this version of the library and with
 /// versions before it, to compare them.
-///
-///     mkdir before && git archive 58d3728 include | tar -x -C before
-///     g++ -std=c++20 -O3 -fno-math-errno -I before/include bench/symmetric_cost.cpp -o before/cost
-///     g++ -std=c++20 -O3 -fno-math-errno -I include bench/symmetric_cost.cpp -o cost
-///     before/cost && ./cost
+/// `scripts/compare_speed.py` does that. Each line that it prints is a quantity and its time in nanoseconds.
 
 #include <algorithm>
 #include <cstdio>
@@ -37,30 +33,65 @@ double time_ns() {
   return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Time for a direction: the shortest of many, for other programs can only make it longer.
-template <class Facet>
-double shortest_ns(const Cavity<double>& groove, const Facet& facet) {
-  static const std::vector<Vec3<double>> directions = map_directions();
-  constexpr int runs = 200, passes = 20;
-  double shortest = 1e9, sum = 0;
-  for (int run = 0; run < runs; ++run) {
+/// Time of one call: the median of several runs of some milliseconds.
+template <class Call>
+double median_ns(std::size_t calls, const Call& call) {
+  constexpr std::size_t runs = 15;
+  const double least_ns = 4e6;
+  double times[runs];
+  volatile double kept = 0;
+  for (double& time : times) {
     const double start = time_ns();
-    for (int pass = 0; pass < passes; ++pass)
-      for (const Vec3<double>& e : directions) sum += unpolarized(directional_reflectance(groove, e, facet));
-    shortest = std::min(shortest, (time_ns() - start) / passes / static_cast<double>(directions.size()));
+    std::size_t passes = 0;
+    double sum = 0, elapsed = 0;
+    do {
+      sum += call();
+      ++passes;
+      elapsed = time_ns() - start;
+    } while (elapsed < least_ns);
+    kept = kept + sum;
+    time = elapsed / static_cast<double>(passes * calls);
   }
-  if (!(sum > 0)) std::puts("silver does not reflect?");
-  return shortest;
+  std::nth_element(times, times + runs / 2, times + runs);
+  return times[runs / 2];
+}
+
+template <class Facet>
+void print_directional(const char* material, double aperture_deg, const char* model, const Facet& facet) {
+  static const std::vector<Vec3<double>> directions = map_directions();
+  const Cavity<double> groove(radians(aperture_deg));
+  std::printf("directional, %s, %g°, %s\t%.4g\n", material, aperture_deg, model,
+              median_ns(directions.size(), [&] {
+                double sum = 0;
+                for (const Vec3<double>& e : directions)
+                  sum += unpolarized(directional_reflectance(groove, e, facet));
+                return sum;
+              }));
+}
+
+template <class Facet>
+void print_hemispherical(const char* material, double aperture_deg, const char* model, const Facet& facet) {
+  const Cavity<double> groove(radians(aperture_deg));
+  std::printf("bi-hemispherical to 1e-10, %s, %g°, %s\t%.5g\n", material, aperture_deg, model,
+              median_ns(1, [&] { return bihemispherical_reflectance(groove, facet, 1e-10).value; }));
+}
+
+template <class Facet>
+void print_all(const char* material, const Facet& facet) {
+  for (const double aperture_deg : {2.0, 45.0, 90.0, 150.0}) {
+    print_directional(material, aperture_deg, "none", facet);
+    print_directional(material, aperture_deg, "separate", separately_polarized(facet));
+    print_directional(material, aperture_deg, "full", polarized(facet));
+  }
+  for (const double aperture_deg : {5.0, 45.0, 90.0, 150.0, 179.0}) {
+    print_hemispherical(material, aperture_deg, "none", facet);
+    print_hemispherical(material, aperture_deg, "full", polarized(facet));
+  }
 }
 
 }  // namespace
 
 int main() {
-  const Conductor<double> silver(0.1249, 3.3391);
-  std::puts("| aperture | none, ns | separate, ns | full, ns |\n|---|---|---|---|");
-  for (const double aperture_deg : {45.0, 90.0, 150.0}) {
-    const Cavity<double> groove(radians(aperture_deg));
-    std::printf("| %g° | %.1f | %.1f | %.1f |\n", aperture_deg, shortest_ns(groove, silver),
-                shortest_ns(groove, separately_polarized(silver)), shortest_ns(groove, polarized(silver)));
-  }
+  print_all("silver", Conductor<double>(0.1249, 3.3391));
+  print_all("glass", Dielectric<double>(1.5));
 }

@@ -16,7 +16,7 @@ namespace vcavity::test {
 namespace {
 
 /// Both the library and the reference leave out light of more bounces.
-constexpr int most_bounces = 8;
+constexpr int max_bounces = 8;
 
 /// e of unit length and the component of it along a horizontal unit vector.
 template <class Wide>
@@ -49,7 +49,7 @@ Wide traced_brdf(const std::vector<Wide>& arguments, const Throughput& throughpu
   const Wide theta_e = atan2(e_across, e.z), theta_o = atan2(o_across, o.z);
   const Wide half_sum = (theta_e + theta_o) / 2, half_difference = (theta_e - theta_o) / 2;
   Wide sum(0);
-  for (int bounces = 1; bounces <= most_bounces; ++bounces) {
+  for (int bounces = 1; bounces <= max_bounces; ++bounces) {
     for (const Panel first : {Panel::one, Panel::two}) {
       if (bounces == 1 && first == Panel::two) continue;
       const Wide beta = bounces % 2 == 1 ? half_sum : half_difference;
@@ -154,7 +154,7 @@ std::vector<Subject<Real>> rough_subjects() {
   subject.actual = [](const Arguments& a) -> Results<Real> {
     const auto white = [](const Real&) { return Real(1); };
     const GgxSlopes<Real> slopes{a[0]};
-    const RoughGrooveBsdf bsdf(slopes, white, most_bounces);
+    const RoughGrooveBsdf bsdf(slopes, white, max_bounces);
     return {{0, bsdf.pdf(direction_at(a, 1), direction_at(a, 4))}};
   };
   subject.refer_to([]<class Wide>(const std::vector<Wide>& a) -> ExactResults<Wide> {
@@ -174,7 +174,7 @@ std::vector<Subject<Real>> rough_subjects() {
   };
   subject.actual = [](const Arguments& a) -> Results<Real> {
     const GgxSlopes<Real> slopes{a[0]};
-    const RoughGrooveBsdf bsdf(slopes, Conductor<Real>(a[7], a[8]), most_bounces);
+    const RoughGrooveBsdf bsdf(slopes, Conductor<Real>(a[7], a[8]), max_bounces);
     return {{0, bsdf.evaluate(direction_at(a, 1), direction_at(a, 4))}};
   };
   subject.refer_to([]<class Wide>(const std::vector<Wide>& a) -> ExactResults<Wide> {

@@ -173,6 +173,22 @@ TEMPLATE_TEST_CASE("no call for a path on a matte groove allocates", "", float, 
   CHECK(allocations == before);
 }
 
+TEMPLATE_TEST_CASE("no reflectance of a matte groove of unequal panels allocates", "", float, double) {
+  using Real = TestType;
+  const AsymmetricLambertianCavity<Real> matte(AsymmetricGroove<Real>::from_slopes(Real(0.3), Real(1.2)),
+                                               Real(0.8), Real(0.3));
+  volatile Real kept = 0;
+  const long before = allocations;
+  for (const Real theta : {Real(0), Real(0.2), Real(0.7), Real(1.5)}) {
+    const Vec3<Real> e = direction(theta, Real(0.3));
+    kept = kept + matte.directional_reflectance(e) + matte.directional_absorptance(e) +
+           matte.directional_error(e);
+    kept = kept + matte.radiosity(Panel::one, Real(0.5));
+  }
+  kept = kept + matte.bihemispherical_reflectance();
+  CHECK(allocations == before);
+}
+
 TEMPLATE_TEST_CASE("no reflectance of a groove of another shape allocates", "", float, double) {
   using Real = TestType;
   const Conductor<Real> silver(Real(0.1249), Real(3.3391));

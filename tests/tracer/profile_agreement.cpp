@@ -90,7 +90,7 @@ ProfileAgreement& ProfileAgreement::operator+=(const ProfileAgreement& other) {
   inside_margin += other.inside_margin;
   mismatches += other.mismatches;
   met_another_groove += other.met_another_groove;
-  most_bounces = std::max(most_bounces, other.most_bounces);
+  max_bounces = std::max(max_bounces, other.max_bounces);
   largest_direction_error = std::max(largest_direction_error, other.largest_direction_error);
   largest_product_error = std::max(largest_product_error, other.largest_product_error);
   if (first_mismatch.empty()) first_mismatch = other.first_mismatch;
@@ -127,7 +127,7 @@ ProfileAgreement compare_profile_rays(const ProfileTheory& theory, ShapeKind kin
             tracer::fresnel_reflectance(material_of(faces.back(), materials).index, bounce.cos_incidence);
       }
       ++result.rays;
-      result.most_bounces = std::max(result.most_bounces, faces.size());
+      result.max_bounces = std::max(result.max_bounces, faces.size());
       if (path.clearance < edge_margin) {
         ++result.inside_margin;
         continue;

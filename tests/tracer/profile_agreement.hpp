@@ -58,7 +58,7 @@ struct ProfileAgreement {
   std::int64_t inside_margin = 0;       ///< rays within `edge_margin` of an edge
   std::int64_t mismatches = 0;          ///< rays outside it for which tracer and theory differ
   std::int64_t met_another_groove = 0;  ///< rays that left one groove and met another
-  std::size_t most_bounces = 0;         ///< of any ray
+  std::size_t max_bounces = 0;          ///< of any ray
   double largest_direction_error = 0;   ///< outside the margin, where the faces are the same
   double largest_product_error = 0;     ///< the same, relative
   std::string first_mismatch;           ///< description of the first ray that differs

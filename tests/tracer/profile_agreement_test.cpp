@@ -22,7 +22,7 @@ ProfileAgreement check(ShapeKind kind, double part, std::uint64_t seed) {
   CHECK(static_cast<double>(agreement.inside_margin) <= 1 + 1e-6 * static_cast<double>(agreement.rays));
   std::cout << agreement.rays << " rays over " << shapes << " shapes: " << agreement.mismatches
             << " mismatches, " << agreement.inside_margin << " within " << edge_margin << " of an edge, "
-            << agreement.met_another_groove << " met another groove, up to " << agreement.most_bounces
+            << agreement.met_another_groove << " met another groove, up to " << agreement.max_bounces
             << " bounces; largest error of a direction " << agreement.largest_direction_error
             << ", of a product " << agreement.largest_product_error << '\n';
   return agreement;

@@ -199,6 +199,43 @@ TEMPLATE_TEST_CASE("no matte groove runs into a trap", "", float, double, long d
   CHECK(sink.count() > 10000);
 }
 
+template <class T>
+VCAVITY_NOINLINE void use_matte_asymmetric(const AsymmetricGroove<T>& groove, const T& one, const T& two,
+                                           Sink<T>& sink) {
+  const Traps traps;
+  const AsymmetricLambertianCavity<T> matte(groove, one, two);
+  sink(matte.bihemispherical_reflectance());
+  sink(matte.bihemispherical_error());
+  const std::vector<Vec3<T>> directions = hard_directions<T>();
+  for (const Vec3<T>& e : directions) {
+    if (!(e.z >= T(0))) continue;
+    sink(matte.directional_reflectance(e));
+    sink(matte.directional_absorptance(e));
+    sink(matte.directional_error(e));
+    // Where both graze the BRDF is infinite.
+    for (const Vec3<T>& viewer : directions)
+      if (std::max(e.z, viewer.z) > T(1e-6)) {
+        sink(matte.brdf(e, viewer));
+        sink(matte.brdf_error(e, viewer));
+      }
+  }
+  for (const T& s : hard_numbers<T>())
+    for (const Panel panel : {Panel::one, Panel::two}) sink(matte.radiosity(panel, s));
+}
+
+TEMPLATE_TEST_CASE("no matte groove of unequal panels runs into a trap", "", float, double) {
+  using T = TestType;
+  Sink<T> sink;
+  for (const T& one : {T(0.05), T(0.4), T(pi<T>() / T(2))})
+    for (const T& two : {T(0.1), T(1.5)}) {
+      const auto groove = AsymmetricGroove<T>::from_slopes(one, two);
+      use_matte_asymmetric(groove, T(1), T(1), sink);
+      use_matte_asymmetric(groove, T(0), T(1), sink);
+      use_matte_asymmetric(groove, T(0.9), T(0.2), sink);
+    }
+  CHECK(sink.count() > 10000);
+}
+
 TEMPLATE_TEST_CASE("no groove of another shape runs into a trap", "", float, double, long double) {
   using T = TestType;
   Sink<T> sink;

@@ -75,9 +75,9 @@ struct Way {
 Way way_through(const Section& section, double position, Point travel) {
   const double width = section.points.back().x;
   Way way{{{position * width, 0}}, travel};
-  constexpr std::size_t most_bounces = 400;
+  constexpr std::size_t max_drawn = 400;
   Point at = way.corners.front() - 1e-3 * travel;
-  while (way.corners.size() <= most_bounces) {
+  while (way.corners.size() <= max_drawn) {
     double nearest = std::numeric_limits<double>::infinity();
     Point normal{};
     for (std::size_t i = 1; i < section.points.size(); ++i) {
