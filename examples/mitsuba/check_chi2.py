@@ -38,6 +38,8 @@ CASES = [
     ({"distribution": "brushed", "roughness": 0.4, "concentration": 5.0}, 40, 30),
     ({"distribution": "brushed", "roughness": 0.6, "concentration": 20.0, "rotation": -50.0}, 60, 80),
     ({"lobe_width": 10.0, "aperture": 70.0}, 20, 40),
+    ({"lobe_width": 10.0, "aperture": 70.0, "tilt": 20.0}, 40, 120),
+    ({"lobe_width": 15.0, "aperture": 50.0, "tilt": -50.0, "rotation": 30.0}, 60, 250),
 ]
 
 VECTORISED_VARIANTS = ("llvm_ad_rgb", "llvm_ad_spectral", "llvm_ad_spectral_polarized")
@@ -45,6 +47,8 @@ VECTORISED_CASES = [
     ({"lobe_width": 10.0, "aperture": 70.0}, 20, 40),
     ({"lobe_width": 5.0, "aperture": 35.0, "rotation": 20.0}, 55, 250),
     ({"lobe_width": 25.0, "aperture": 120.0, "material": "Cu"}, 75, 100),
+    ({"lobe_width": 10.0, "aperture": 70.0, "tilt": 20.0}, 40, 120),
+    ({"lobe_width": 15.0, "aperture": 50.0, "tilt": -50.0, "rotation": 30.0}, 60, 250),
 ]
 
 

@@ -22,6 +22,7 @@ CASES = [
     ("copper-like, 100°", {"aperture": 100.0}, "aperture", 1.0),
     ("copper-like, 50°, spread by 6°", {"aperture": 50.0, "lobe_width": 6.0}, "aperture", 1.0),
     ("copper-like, 75°, turned by 30°", {"aperture": 75.0, "rotation": 30.0}, "rotation", 0.3),
+    ("copper-like, 70°, tilted by 20°", {"aperture": 70.0, "tilt": 20.0}, "tilt", 0.5),
     ("copper-like, 60°", {"aperture": 60.0}, "eta", 0.03),
     ("copper-like, 60°", {"aperture": 60.0}, "k", 0.1),
     ("tinted, 45°", {"aperture": 45.0, "specular_reflectance": {"type": "uniform", "value": 0.7}},

@@ -17,10 +17,14 @@ import numpy as np
 
 import vgroove
 
-# (material, aperture, θ, φ) in degrees; φ is measured from the direction across the grooves.
-CASES = [(material, aperture, theta, phi)
+# (material, aperture, tilt, θ, φ) in degrees; φ is measured from the direction across the grooves, to which they tilt.
+CASES = [(material, aperture, 0, theta, phi)
          for material, aperture in [("Cu", 40), ("Cu", 60), ("Ag", 45), ("Cr", 90), ("Cu", 130), (1.5, 60), (1.5, 100)]
          for theta, phi in [(5, 20), (35, 0), (50, 60), (75, 30)]]
+# The last one has a wall that overhangs.
+TILTED_CASES = [(material, aperture, tilt, theta, phi)
+                for material, aperture, tilt in [("Cu", 60, 25), ("Cr", 90, -30), (1.5, 50, 15), ("Ag", 70, 50)]
+                for theta, phi in [(5, 20), (35, 180), (50, 60), (75, 150)]]
 FALSE_ALARM_RATE = 1e-3  # of the whole table
 SCALE = 1000  # panel width in units of the scene
 FLAT_TOLERANCE = 1e-5  # of elements of Mueller matrices in float, after two rotations of their axes
@@ -38,32 +42,41 @@ def facet(material):
     return {"eta": {"type": "spectrum", "value": material}, "k": {"type": "spectrum", "value": 0.0}}
 
 
-def groove_mesh(aperture, material):
+def rims(aperture, tilt):
+    """Where the panels of a groove end, across it, with their height; the apex is the origin."""
+    depth = math.cos(aperture / 2)
+    return -depth * math.tan(aperture / 2 - tilt), depth * math.tan(aperture / 2 + tilt), depth
+
+
+def groove_mesh(aperture, tilt, material):
     """Five long grooves along x; the apex of the middle one is the origin."""
-    half_width, depth, half_length = math.sin(aperture / 2), math.cos(aperture / 2), 200.0
+    low, high, depth = rims(aperture, tilt)
+    half_length = 200.0
     vertices, faces = [], []
     for groove in range(-2, 3):
-        for y0, z0, y1, z1 in [(-half_width, depth, 0, 0), (0, 0, half_width, depth)]:
-            first, shift = len(vertices), 2 * half_width * groove
+        for y0, z0, y1, z1 in [(low, depth, 0, 0), (0, 0, high, depth)]:
+            first, shift = len(vertices), (high - low) * groove
             vertices += [(x, y + shift, z) for x in (-half_length, half_length) for y, z in ((y0, z0), (y1, z1))]
             faces += [(first, first + 2, first + 3), (first, first + 3, first + 1)]
     return vgroove.triangle_mesh("grooves", SCALE * np.array(vertices), faces,
                                  bsdf={"type": "conductor", **facet(material)})
 
 
-def openings(aperture, count, length):
+def openings(aperture, tilt, count, length):
     """The transformation from Mitsuba's `rectangle` to the openings of the middle groove and its neighbours."""
+    low, high, depth = rims(aperture, tilt)
     transform = mi.ScalarTransform4f()
-    return transform.translate([0, 0, SCALE * math.cos(aperture / 2)]) @ transform.scale(
-        [SCALE * length, SCALE * count * math.sin(aperture / 2), 1])
+    return transform.translate([0, SCALE * (low + high) / 2, SCALE * depth]) @ transform.scale(
+        [SCALE * length, SCALE * count * (high - low) / 2, 1])
 
 
-def plate(aperture, material):
-    return {"type": "rectangle", "to_world": openings(aperture, 5, 200),
-            "bsdf": {"type": "vgroove", "aperture": math.degrees(aperture), **facet(material)}}
+def plate(aperture, tilt, material):
+    tilted = {"tilt": math.degrees(tilt)} if tilt else {}
+    return {"type": "rectangle", "to_world": openings(aperture, tilt, 5, 200),
+            "bsdf": {"type": "vgroove", "aperture": math.degrees(aperture), **tilted, **facet(material)}}
 
 
-def scene(surface, aperture, theta, phi, sky):
+def scene(surface, aperture, tilt, theta, phi, sky):
     towards_viewer = [math.sin(theta) * math.sin(phi), math.sin(theta) * math.cos(phi), math.cos(theta)]
     path = {"type": "path", "max_depth": 100, "rr_depth": 100}
     return mi.load_dict({
@@ -72,7 +85,7 @@ def scene(surface, aperture, theta, phi, sky):
         "surface": surface,
         "sky": {"type": "envmap", "bitmap": sky, "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)},
         "sensor": {"type": "distant", "direction": [-c for c in towards_viewer],
-                   "target": {"type": "rectangle", "to_world": openings(aperture, 1, 0.1)},
+                   "target": {"type": "rectangle", "to_world": openings(aperture, tilt, 1, 0.1)},
                    "film": {"type": "hdrfilm", "width": 1, "height": 1, "rfilter": {"type": "box"},
                             "component_format": "float32", "pixel_format": "rgb"},
                    "sampler": {"type": "independent"}},
@@ -117,6 +130,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--variant", default="scalar_rgb", help="Mitsuba's variant; scalar_rgb by default")
     parser.add_argument("--samples", type=int, default=400_000, help="paths per number; 400000 by default")
+    parser.add_argument("--tilted", action="store_true", help="grooves whose panels are not equally steep")
     parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
     vgroove.start(options.variant, options.plug_in)
@@ -125,16 +139,16 @@ def main():
     sky = mi.Bitmap(patches.astype(np.float32))
     quantity = "I, Q, U, V" if vgroove.is_polarized() else "radiance"
     print(f"Mitsuba {mi.__version__}, {options.variant}, {options.samples} paths per number\n")
-    print(f"| material | aperture | θ | φ | {quantity}: mesh | plug-in | difference / σ | speed at equal error |")
-    print("|---|---|---|---|---|---|---|---|")
+    print(f"| material | aperture |{' tilt |' if options.tilted else ''} θ | φ | {quantity}: mesh | plug-in | difference / σ | speed at equal error |")
+    print("|---|---|---|---|---|---|---|---|" + ("---|" if options.tilted else ""))
     differences, speeds = [], []
-    for number, (material, *angles) in enumerate(CASES):
-        aperture, theta, phi = map(math.radians, angles)
+    for number, (material, *angles) in enumerate(TILTED_CASES if options.tilted else CASES):
+        aperture, tilt, theta, phi = map(math.radians, angles)
         seed = 1_000_000 * number
         mesh, mesh_error, mesh_time = radiance(
-            scene(groove_mesh(aperture, material), aperture, theta, phi, sky), options.samples, seed)
+            scene(groove_mesh(aperture, tilt, material), aperture, tilt, theta, phi, sky), options.samples, seed)
         plug_in, plug_in_error, plug_in_time = radiance(
-            scene(plate(aperture, material), aperture, theta, phi, sky), options.samples, seed + 500_000)
+            scene(plate(aperture, tilt, material), aperture, tilt, theta, phi, sky), options.samples, seed + 500_000)
         sigma = np.sqrt(mesh_error**2 + plug_in_error**2 + (MESH_ERROR * mesh[0])**2)
         difference = (plug_in - mesh) / sigma
         differences += list(difference)
@@ -142,7 +156,8 @@ def main():
         if mesh_error[0] > ROUNDING * mesh[0] and plug_in_error[0] > ROUNDING * plug_in[0]:
             speeds.append(mesh_error[0]**2 * mesh_time / (plug_in_error[0]**2 * plug_in_time))
             speed = f"{speeds[-1]:.2g}"
-        print(f"| {material} | {angles[0]}° | {angles[1]}° | {angles[2]}° | {numbers(mesh)} ± {mesh_error[0]:.5f} "
+        shown = angles if options.tilted else [angles[0], *angles[2:]]
+        print(f"| {material} | {' | '.join(f'{angle}°' for angle in shown)} | {numbers(mesh)} ± {mesh_error[0]:.5f} "
               f"| {numbers(plug_in)} ± {plug_in_error[0]:.5f} | {numbers(difference, form='{:+.1f}')} | {speed} |",
               flush=True)
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 #include <vcavity/vcavity.hpp>
+#include <vector>
 
 #include "spectra.hpp"
 
@@ -39,36 +40,28 @@ inline Effects settled(Effects effects) {
   return effects;
 }
 
-/// The cheapest effects whose reflectance, in any direction and at every given index and aperture, lies within a
-/// tolerance of the full physics.
-/// @param apertures in radians, at least one
-/// @param indices at least one
-/// @param polarized_light whether the renderer follows Stokes parameters, which need the fields whatever the tolerance
-inline Effects planned_effects(std::span<const double> apertures, std::span<const Index> indices,
-                               double tolerance, bool polarized_light) {
-  Effects effects{polarized_light, 1};
-  for (const double aperture : apertures) {
-    const vcavity::Cavity<double> cavity(aperture);
-    for (const Index& index : indices) {
-      const vcavity::Conductor<double> facet(index.n, index.k);
-      include(effects, vcavity::plan_effects(cavity, facet, tolerance, vcavity::Illumination::collimated));
-    }
-  }
-  return settled(effects);
+/// The plan of one shape and facet.
+template <class Shape, class Facet>
+vcavity::EffectsPlan plan_of(const Shape& shape, const Facet& facet, double tolerance) {
+  if constexpr (vcavity::SlopeDistribution<Shape>)
+    return vcavity::plan_rough_effects(shape, facet, tolerance);
+  else
+    return vcavity::plan_effects(shape, facet, tolerance, vcavity::Illumination::collimated);
 }
 
-/// The same for rough surfaces.
-/// @param distributions at least one
-template <class Distribution>
-Effects planned_effects(std::span<const Distribution> distributions, std::span<const Index> indices,
+/// The cheapest effects whose reflectance, in any direction and for every given material and shape, lies within a
+/// tolerance of the full physics. A darker tint makes no omission cost more.
+/// @tparam Shape a `Cavity`, an `AsymmetricGroove`, or a distribution of slopes, in double
+/// @param shapes at least one
+/// @param materials at least one
+/// @param polarized_light whether the renderer follows Stokes parameters, which need the fields whatever the tolerance
+template <class Shape>
+Effects planned_effects(const std::vector<Shape>& shapes, std::span<const TintedIndex> materials,
                         double tolerance, bool polarized_light) {
   Effects effects{polarized_light, 1};
-  for (const Distribution& distribution : distributions) {
-    for (const Index& index : indices) {
-      const vcavity::Conductor<double> facet(index.n, index.k);
-      include(effects, vcavity::plan_rough_effects(distribution, facet, tolerance));
-    }
-  }
+  for (const Shape& shape : shapes)
+    for (const TintedIndex& material : materials)
+      include(effects, plan_of(shape, material.facet(), tolerance));
   return settled(effects);
 }
 

@@ -54,14 +54,17 @@ class SurfaceNumber {
     double low, high;
   };
 
-  /// @param low,high what the values must lie between; `low` itself is refused if `open`
+  /// @param fallback the value where a scene gives none
+  /// @param allowed what the values must lie between
+  /// @param least_of_mesh what stands in for smaller values of a mesh, which are not known at load
   /// @throws std::runtime_error when a value lies elsewhere; of textures the texels are looked at, or as many
   ///         points as a texture without texels has
-  SurfaceNumber(const Properties& props, const char* name, float fallback, Range allowed, bool open = false)
+  SurfaceNumber(const Properties& props, const char* name, float fallback, Range allowed,
+                double least_of_mesh)
       : texture_(props.get_texture<Texture>(name, fallback)),
         name_(name),
         allowed_(allowed),
-        open_(open),
+        least_of_mesh_(least_of_mesh),
         constant_(fallback) {
     look_again();
   }
@@ -78,11 +81,9 @@ class SurfaceNumber {
     }
     if (range_)
       for (const double x : {range_->low, range_->high})
-        if (!(x <= allowed_.high && (open_ ? x > allowed_.low : x >= allowed_.low)))
-          Throw("vgroove: %s must lie in %s%g, %g], not be %g", name_, open_ ? "(" : "[", allowed_.low,
-                allowed_.high, x);
-    constexpr double next_to_open = 0.01;  // what a mesh may give in place of a value out of range
-    smallest_ = static_cast<float>(range_ ? range_->low : open_ ? allowed_.low + next_to_open : allowed_.low);
+        if (!(x >= allowed_.low && x <= allowed_.high))
+          Throw("vgroove: %s must lie in [%g, %g], not be %g", name_, allowed_.low, allowed_.high, x);
+    smallest_ = static_cast<float>(range_ ? range_->low : least_of_mesh_);
     largest_ = static_cast<float>(range_ ? range_->high : allowed_.high);
   }
 
@@ -145,7 +146,7 @@ class SurfaceNumber {
   ref<Texture> texture_;
   const char* name_;
   Range allowed_;
-  bool open_;
+  double least_of_mesh_;
   std::optional<Range> range_;
   float constant_;
   float smallest_;
@@ -161,8 +162,9 @@ class GrooveParameters {
 
   /// @throws std::runtime_error when a parameter is out of range or contradicts another one
   explicit GrooveParameters(const Properties& props)
-      : aperture(props, "aperture", 60.f, {0, 180}, true),
-        rotation(props, "rotation", 0.f, {-3600, 3600}),
+      : aperture(props, "aperture", 60.f, {narrowest_aperture, 180}, narrowest_of_mesh),
+        tilt(props, "tilt", 0.f, {-90, 90}, -90),
+        rotation(props, "rotation", 0.f, {-3600, 3600}, -3600),
         tint(props.get_texture<Texture>("specular_reflectance", 1.f)),
         lobe_width(vcavity::radians(props.get<float>("lobe_width", 0.f))) {
     const std::string material = props.get<std::string>("material", "none");
@@ -176,6 +178,8 @@ class GrooveParameters {
       eta = part_of_index(material + ".eta");
       k = part_of_index(material + ".k");
     }
+    tilted = props.has_property("tilt");
+    check_tilt();
     tinted = props.has_property("specular_reflectance");
     if (props.has_property("groove_axis")) {
       const ScalarVector3f direction = props.get<ScalarVector3f>("groove_axis");
@@ -201,8 +205,9 @@ class GrooveParameters {
            << "  roughness_v = " << string::indent(roughness_v->texture()) << "," << std::endl;
       if (distribution == "brushed") text << "  concentration = " << concentration << "," << std::endl;
     } else {
-      text << "  aperture = " << string::indent(aperture.texture()) << "," << std::endl
-           << "  lobe_width = " << vcavity::degrees(lobe_width) << "," << std::endl;
+      text << "  aperture = " << string::indent(aperture.texture()) << "," << std::endl;
+      if (tilted) text << "  tilt = " << string::indent(tilt.texture()) << "," << std::endl;
+      text << "  lobe_width = " << vcavity::degrees(lobe_width) << "," << std::endl;
     }
     text << "  rotation = " << string::indent(rotation.texture()) << "," << std::endl
          << "  effects = " << vgroove::described(effects) << "," << std::endl
@@ -214,11 +219,34 @@ class GrooveParameters {
 
   /// Whether the grooves differ from point to point.
   bool varies() const {
-    return aperture.varies() || rotation.varies() || axis ||
+    return aperture.varies() || tilt.varies() || rotation.varies() || axis ||
            (is_rough() && (roughness_u->varies() || roughness_v->varies()));
   }
 
+  /// Whether the index differs from point to point.
+  bool index_varies() const { return mitsuba::varies(*eta) || mitsuba::varies(*k); }
+
+  /// Whether the tint differs from point to point.
+  bool tint_varies() const { return tinted && mitsuba::varies(*tint); }
+
+  /// Looks at the shape of the grooves again, after it has changed.
+  /// @throws std::runtime_error when it is out of range
+  void look_again() {
+    aperture.look_again();
+    tilt.look_again();
+    rotation.look_again();
+    check_tilt();
+  }
+
+  /// Smaller ones are no `Cavity`, wherever on a surface they are.
+  static constexpr double narrowest_aperture = 1e-6;  // degrees
+  static constexpr double narrowest_of_mesh = 0.01;   // degrees
+  /// The least angle of a panel of tilted grooves to the surface: for less, lengths of panels are rounding errors.
+  static constexpr float least_slope = 0.01f;  // degrees
+
   Number aperture;  ///< degrees
+  Number tilt;      ///< degrees
+  bool tilted;      ///< whether `tilt` may differ from 0
   Number rotation;  ///< degrees
   std::optional<Vector3f> axis;
   std::string distribution;  ///< ggx, beckmann, brushed; empty for parallel grooves
@@ -243,6 +271,20 @@ class GrooveParameters {
     return PluginManager::instance()->create_object<Texture>(zero);
   }
 
+  /// Textures of a mesh are not known; points give what is left of their tilts.
+  void check_tilt() const {
+    if (!tilted || !aperture.range() || !tilt.range()) return;
+    const double widest = aperture.range()->high;
+    const double most = (180 - widest) / 2 - least_slope;
+    if (!(most >= 0))
+      Throw("vgroove: tilted grooves must have an aperture of at most %g, not %g", 180 - 2 * least_slope,
+            widest);
+    for (const double x : {tilt.range()->low, tilt.range()->high})
+      if (!(std::abs(x) <= most))
+        Throw("vgroove: the tilt of grooves of aperture %g must lie in [%g, %g], not be %g", widest, -most,
+              most, x);
+  }
+
   void read_roughness(const Properties& props) {
     const bool uniform = props.has_property("roughness"), two = props.has_property("alpha_u");
     distribution = props.get<std::string>("distribution", "");
@@ -252,15 +294,15 @@ class GrooveParameters {
     }
     if (distribution != "ggx" && distribution != "beckmann" && distribution != "brushed")
       Throw("vgroove: distribution must be ggx, beckmann or brushed, not %s", distribution);
-    if (props.has_property("aperture") || props.has_property("lobe_width"))
-      Throw("vgroove: aperture and lobe_width are for parallel grooves, not for a distribution");
+    if (props.has_property("aperture") || tilted || props.has_property("lobe_width"))
+      Throw("vgroove: aperture, tilt and lobe_width are for parallel grooves, not for a distribution");
     if (two != props.has_property("alpha_v") || (two && uniform))
       Throw("vgroove: give either a roughness or both alpha_u and alpha_v");
     if (two && distribution == "brushed")
       Throw("vgroove: brushed takes a roughness, not alpha_u and alpha_v");
     constexpr typename Number::Range allowed{1e-3, 10};
-    roughness_u.emplace(props, two ? "alpha_u" : "roughness", 0.3f, allowed);
-    roughness_v.emplace(props, two ? "alpha_v" : "roughness", 0.3f, allowed);
+    roughness_u.emplace(props, two ? "alpha_u" : "roughness", 0.3f, allowed, allowed.low);
+    roughness_v.emplace(props, two ? "alpha_v" : "roughness", 0.3f, allowed, allowed.low);
     if (distribution == "brushed") {
       concentration = props.get<float>("concentration", 100.f);
       (void)vcavity::AxialVonMises<float>(concentration);  // refuses what is no concentration
@@ -293,12 +335,12 @@ class GrooveParameters {
     if (max_bounces > 0) effects.max_bounces = max_bounces;
   }
 
-  /// Over all apertures of the surface, and all colours or wavelengths that the variant may ask for.
+  /// Over all shapes of the surface, and all colours or wavelengths that the variant may ask for.
   void plan(double tolerance) {
-    const bool known =
-        (is_rough() ? roughness_u->range() && roughness_v->range() : aperture.range().has_value()) &&
-        !mitsuba::varies(*eta) && !mitsuba::varies(*k) && !(tinted && mitsuba::varies(*tint));
-    if (!known || brightest_tint() > 1) {
+    const bool known = (is_rough() ? roughness_u->range() && roughness_v->range()
+                                   : aperture.range() && (!tilted || tilt.range())) &&
+                       !index_varies();
+    if (!known) {
       Log(Info,
           "vgroove: nothing is left out, because the material or the shape varies in a way not known at "
           "load");
@@ -314,14 +356,34 @@ class GrooveParameters {
         return vcavity::BrushedSlopes(vcavity::GgxSlopes<double>(u), static_cast<double>(concentration));
       });
     } else {
-      constexpr int steps = 8;
-      const auto [low, high] = *aperture.range();
-      std::vector<double> apertures{vcavity::radians(low)};
-      for (int i = 1; i <= steps && high > low; ++i)
-        apertures.push_back(vcavity::radians(low + (high - low) * i / steps));
-      constexpr float step_nm = 10;
-      effects = vgroove::planned_effects(apertures, indices(step_nm), tolerance, is_polarized_v<Spectrum>);
+      plan_grooves(tolerance);
     }
+  }
+
+  /// Numbers of a range, both ends included; one if it is no range.
+  static std::vector<double> steps(double low, double high, int count) {
+    std::vector<double> result{low};
+    for (int i = 1; i <= count && high > low; ++i) result.push_back(low + (high - low) * i / count);
+    return result;
+  }
+
+  void plan_grooves(double tolerance) {
+    constexpr float step_nm = 10;
+    const auto [narrowest, widest] = *aperture.range();
+    if (!tilted) {
+      std::vector<vcavity::Cavity<double>> grooves;
+      for (const double angle : steps(narrowest, widest, 8)) grooves.emplace_back(vcavity::radians(angle));
+      effects = vgroove::planned_effects(grooves, materials(step_nm), tolerance, is_polarized_v<Spectrum>);
+      return;
+    }
+    // A plan takes four times as long as for equal panels; grooves that tilt either way have the same.
+    const auto [low, high] = *tilt.range();
+    const double least = low * high > 0 ? std::min(std::abs(low), std::abs(high)) : 0.0;
+    std::vector<vcavity::AsymmetricGroove<double>> grooves;
+    for (const double angle : steps(narrowest, widest, 4))
+      for (const double tilt_deg : steps(least, std::max(std::abs(low), std::abs(high)), 2))
+        grooves.emplace_back(vcavity::radians(angle), vcavity::radians(tilt_deg));
+    effects = vgroove::planned_effects(grooves, materials(step_nm), tolerance, is_polarized_v<Spectrum>);
   }
 
   template <class Make>
@@ -330,8 +392,7 @@ class GrooveParameters {
     if (roughness_u->varies() || roughness_v->varies())
       distributions.push_back(make(roughness_u->range()->high, roughness_v->range()->high));
     constexpr float step_nm = 40;  // each takes a hundred times as long as for parallel grooves
-    effects = vgroove::planned_effects<typename decltype(distributions)::value_type>(
-        distributions, indices(step_nm), tolerance, false);
+    effects = vgroove::planned_effects(distributions, materials(step_nm), tolerance, false);
     if (effects.polarization) {
       Log(Warn, "vgroove: a tolerance of %g calls for polarisation, which rough surfaces do not follow",
           tolerance);
@@ -341,29 +402,17 @@ class GrooveParameters {
     effects.max_bounces = std::min(effects.max_bounces, most);
   }
 
-  double brightest_tint() const {
-    if (!tinted) return 1;
-    double brightest = 0;
-    constexpr float step_nm = 10;
-    for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
-      const UnpolarizedSpectrum value = tint->eval(si);
-      for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
-        brightest = std::max(brightest, number_of(value[i]));
-    });
-    return brightest;
-  }
-
-  std::vector<vgroove::Index> indices(float step_nm) const {
-    std::vector<vgroove::Index> result;
+  /// What the surface consists of, as far as it is known at load; the brightest tint where there are many.
+  std::vector<vgroove::TintedIndex> materials(float step_nm) const {
+    std::vector<vgroove::TintedIndex> result;
     for_each_spectrum(step_nm, [&](const SurfaceInteraction3f& si) {
       const UnpolarizedSpectrum n = eta->eval(si), extinction = k->eval(si);
+      const UnpolarizedSpectrum part = tint_varies() ? UnpolarizedSpectrum(1.f) : tint->eval(si);
       for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i) {
-        const auto index = vgroove::Index::of(static_cast<float>(number_of(n[i])),
-                                              static_cast<float>(number_of(extinction[i])));
-        const auto same = [&](const vgroove::Index& other) {
-          return other.n == index.n && other.k == index.k;
-        };
-        if (std::none_of(result.begin(), result.end(), same)) result.push_back(index);
+        const vgroove::TintedIndex material{vgroove::Index::of(static_cast<float>(number_of(n[i])),
+                                                               static_cast<float>(number_of(extinction[i]))),
+                                            vgroove::tint_of(static_cast<float>(number_of(part[i])))};
+        if (std::find(result.begin(), result.end(), material) == result.end()) result.push_back(material);
       }
     });
     return result;

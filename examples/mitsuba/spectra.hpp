@@ -36,6 +36,8 @@ struct Index {
   /// Reflects all light, as `material: none` does.
   static constexpr Index mirror() { return {0.f, 1.f}; }
 
+  friend bool operator==(const Index&, const Index&) = default;
+
   float n;
   float k;
 
@@ -43,6 +45,12 @@ struct Index {
   /// The formula of `conductor` for unpolarised light depends on squares only.
   static float within(float x) { return std::isnan(x) ? 0.f : std::min(std::abs(x), largest); }
 };
+
+/// The part of its light that a facet is left with by a tint: no more than all of it, or bounces would amplify.
+/// @param tint as a texture gives it
+inline float tint_of(float tint) {
+  return tint > 0 ? std::min(tint, 1.f) : 0.f;
+}
 
 /// The facet of an index that Mitsuba gives.
 template <class Real, class UnpolarizedSpectrum>
@@ -84,7 +92,7 @@ UnpolarizedSpectrum to_spectrum(const Values<Real, UnpolarizedSpectrum>& values)
 template <class Facet, class Value>
 class Tinted {
  public:
-  /// @param tint factor on the reflectance, ≥ 0
+  /// @param tint factor on the reflectance, in [0, 1]
   Tinted(const Facet& facet, const Value& tint) : facet_(facet), tint_(tint), amplitude_(sqrt(tint)) {}
 
   /// Reflectance of unpolarised light.
@@ -102,6 +110,9 @@ class Tinted {
     return {scaled(of_facet.r_s), scaled(of_facet.r_p)};
   }
 
+  /// That of the facet, whose rounding errors are no smaller.
+  auto contrast() const { return facet_.contrast(); }
+
  private:
   vcavity::Complex<Value> scaled(const vcavity::Complex<Value>& r) const {
     return {amplitude_ * r.re, amplitude_ * r.im};
@@ -110,6 +121,19 @@ class Tinted {
   Facet facet_;
   Value tint_;
   Value amplitude_;
+};
+
+/// An index and a tint, as numbers.
+struct TintedIndex {
+  Index index;
+  float tint;
+
+  /// The facet in double.
+  auto facet() const {
+    return Tinted(vcavity::Conductor<double>(index.n, index.k), static_cast<double>(tint));
+  }
+
+  friend bool operator==(const TintedIndex&, const TintedIndex&) = default;
 };
 
 }  // namespace vgroove

@@ -5,8 +5,10 @@
 /// Parameters:
 ///  - `material`     name of one of Mitsuba's materials ("Cu", "Ag", …), "none" for a perfect mirror, the default; or
 ///  - `eta`, `k`     spectra of the index n + ik; k = 0, the default next to eta, reflects like a dielectric
-///  - `specular_reflectance`  factor on the reflectance of each bounce; 1 by default
-///  - `aperture`     angle between the panels in degrees, in (0, 180], a number or a texture; 60 by default
+///  - `specular_reflectance`  factor on the reflectance of each bounce, up to 1, also a texture; 1 by default
+///  - `aperture`     angle between the panels in degrees, in [1e-6, 180], a number or a texture; 60 by default
+///  - `tilt`         of the bisector of the panels in degrees, from the normal towards the direction across the groove,
+///                   below (180 − aperture)/2 either way, a number or a texture; 0 by default
 ///  - `rotation`     degrees from the axis of reference to the groove, counter-clockwise about the normal, a number or a
 ///                   texture; 0 by default
 ///  - `groove_axis`  axis of reference in the world, as far as it lies in the surface; ∂p/∂u by default

@@ -27,14 +27,22 @@ struct Following {
   static constexpr bool polarization = is_polarized;
 };
 
-/// Grooves that are the same all over a surface, of untinted facets.
+/// Grooves that are the same all over a surface, of facets without a tint.
 struct Uniform {
   static constexpr bool varies = false;
+  static constexpr bool tinted = false;
 };
 
-/// Grooves and tints that depend on the point.
+/// The same with one tint for all.
+struct UniformTinted {
+  static constexpr bool varies = false;
+  static constexpr bool tinted = true;
+};
+
+/// Grooves or tints that depend on the point.
 struct Varying {
   static constexpr bool varies = true;
+  static constexpr bool tinted = true;
 };
 
 /// Axes of the grooves in the shading frame: x runs along them, or along most of them.
@@ -61,27 +69,54 @@ struct Site {
 struct Mirrors {
   static constexpr BSDFFlags kind = BSDFFlags::DeltaReflection;
 
-  /// @param value gives the value of a number of the surface, where the shape is wanted
-  template <class Real, class Parameters, class Value>
-  static vcavity::Cavity<Real> shape(const Parameters& parameters, Value&& value) {
-    const Real aperture = vcavity::radians(Real(value(parameters.aperture)));
+  /// The shape where it is the same everywhere.
+  template <class Real, class Parameters>
+  static vcavity::Cavity<Real> shape(const Parameters& parameters) {
+    const Real aperture = vcavity::radians(Real(parameters.aperture.constant()));
     return vcavity::Cavity<Real>(std::min(aperture, vcavity::pi<Real>()));
   }
 
-  template <class Real, class Facet, class Parameters>
-  static auto bsdf(const vcavity::Cavity<Real>& cavity, const Facet& facet, const Parameters& parameters) {
-    return vcavity::GrooveBsdf<Real, Facet>(cavity, facet, vcavity::LobeChoice::by_energy,
-                                            parameters.effects.max_bounces);
+  /// The shape at a point: one sine and cosine, all other angles are sums.
+  template <class Real, class Parameters, class Interaction>
+  static vcavity::Cavity<Real> shape_at(const Parameters& parameters, const Interaction& si) {
+    const Real half = vcavity::radians(Real(parameters.aperture.at(si)) / Real(2));
+    return vcavity::Cavity<Real>::from_normal(std::cos(half), std::sin(half));
+  }
+
+  template <class Groove, class Facet, class Parameters>
+  static auto bsdf(const Groove& groove, const Facet& facet, const Parameters& parameters) {
+    return vcavity::GrooveBsdf(groove, facet, vcavity::LobeChoice::by_energy, parameters.effects.max_bounces);
   }
 };
 
-/// The same with directions spread around the mirror directions.
-struct SpreadLobes : Mirrors {
+/// The same with panels that are not equally steep.
+struct TiltedMirrors : Mirrors {
+  template <class Real, class Parameters>
+  static vcavity::AsymmetricGroove<Real> shape(const Parameters& parameters) {
+    return {vcavity::radians(Real(parameters.aperture.constant())),
+            vcavity::radians(Real(parameters.tilt.constant()))};
+  }
+
+  template <class Real, class Parameters, class Interaction>
+  static vcavity::AsymmetricGroove<Real> shape_at(const Parameters& parameters, const Interaction& si) {
+    const float aperture = std::min(parameters.aperture.at(si), 180 - 4 * Parameters::least_slope);
+    const float most = (180 - aperture) / 2 - Parameters::least_slope;
+    const Real half = vcavity::radians(Real(aperture) / Real(2));
+    return {vcavity::Cavity<Real>::from_normal(std::cos(half), std::sin(half)),
+            vcavity::radians(Real(std::clamp(parameters.tilt.at(si), -most, most)))};
+  }
+};
+
+/// Grooves whose directions are spread around the mirror directions.
+/// @tparam Narrow without
+template <class Narrow>
+struct Spread : Narrow {
   static constexpr BSDFFlags kind = BSDFFlags::GlossyReflection;
 
-  template <class Real, class Facet, class Parameters>
-  static auto bsdf(const vcavity::Cavity<Real>& cavity, const Facet& facet, const Parameters& parameters) {
-    return vcavity::SpreadGrooveBsdf(Mirrors::bsdf(cavity, facet, parameters), Real(parameters.lobe_width));
+  template <class Groove, class Facet, class Parameters>
+  static auto bsdf(const Groove& groove, const Facet& facet, const Parameters& parameters) {
+    return vcavity::SpreadGrooveBsdf(Narrow::bsdf(groove, facet, parameters),
+                                     vcavity::scalar_t<Groove>(parameters.lobe_width));
   }
 };
 
@@ -97,30 +132,46 @@ struct Rough {
   }
 };
 
-struct RoughGgx : Rough {
-  template <class Real, class Parameters, class Value>
-  static vcavity::GgxSlopes<Real> shape(const Parameters& parameters, Value&& value) {
-    return {Real(value(*parameters.roughness_u)), Real(value(*parameters.roughness_v))};
+/// Rough surfaces by the two roughnesses of a distribution.
+/// @tparam Make makes the distribution
+template <class Make>
+struct RoughOf : Rough {
+  template <class Real, class Parameters>
+  static auto shape(const Parameters& parameters) {
+    return Make{}(parameters, Real(parameters.roughness_u->constant()),
+                  Real(parameters.roughness_v->constant()));
+  }
+
+  template <class Real, class Parameters, class Interaction>
+  static auto shape_at(const Parameters& parameters, const Interaction& si) {
+    return Make{}(parameters, Real(parameters.roughness_u->at(si)), Real(parameters.roughness_v->at(si)));
   }
 };
 
-struct RoughBeckmann : Rough {
-  template <class Real, class Parameters, class Value>
-  static vcavity::BeckmannSlopes<Real> shape(const Parameters& parameters, Value&& value) {
-    return {Real(value(*parameters.roughness_u)), Real(value(*parameters.roughness_v))};
+struct MakeGgx {
+  template <class Parameters, class Real>
+  auto operator()(const Parameters&, Real u, Real v) const {
+    return vcavity::GgxSlopes<Real>(u, v);
   }
 };
 
-struct Brushed : Rough {
-  template <class Real, class Parameters, class Value>
-  static vcavity::BrushedSlopes<vcavity::GgxSlopes<Real>> shape(const Parameters& parameters, Value&& value) {
-    return {vcavity::GgxSlopes<Real>(Real(value(*parameters.roughness_u))), Real(parameters.concentration)};
+struct MakeBeckmann {
+  template <class Parameters, class Real>
+  auto operator()(const Parameters&, Real u, Real v) const {
+    return vcavity::BeckmannSlopes<Real>(u, v);
+  }
+};
+
+struct MakeBrushed {
+  template <class Parameters, class Real>
+  auto operator()(const Parameters& parameters, Real u, Real) const {
+    return vcavity::BrushedSlopes(vcavity::GgxSlopes<Real>(u), Real(parameters.concentration));
   }
 };
 
 /// @tparam Effect a `Following`
-/// @tparam Variation `Uniform` or `Varying`
-/// @tparam Finish `Mirrors`, `SpreadLobes`, or one of the `Rough` ones
+/// @tparam Variation `Uniform`, `UniformTinted` or `Varying`
+/// @tparam Finish `Mirrors`, `TiltedMirrors`, `Spread` of these, or one of the `Rough` ones
 template <typename Float, typename Spectrum, class Effect, class Variation, class Finish>
 class VGroove final : public BSDF<Float, Spectrum> {
  public:
@@ -129,7 +180,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Parameters = GrooveParameters<Float, Spectrum>;
 
   VGroove(const Properties& props, const Parameters& parameters)
-      : Base(props), parameters_(parameters), uniform_(uniform_site(parameters)) {
+      : Base(props), parameters_(parameters), uniform_(site_of_all(parameters)) {
     m_flags = Finish::kind | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
     fit();
@@ -223,7 +274,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Values = vgroove::Values<Real, UnpolarizedSpectrum>;
   using Vector = vcavity::Vec3<Real>;
   using Axes = GrooveAxes<Real>;
-  static constexpr bool discrete = std::is_same_v<Finish, Mirrors>;
+  static constexpr bool discrete = Finish::kind == BSDFFlags::DeltaReflection;
 
   static vcavity::Transport transport(const BSDFContext& context) {
     return context.mode == TransportMode::Radiance ? vcavity::Transport::radiance
@@ -241,20 +292,25 @@ class VGroove final : public BSDF<Float, Spectrum> {
   }
 
   static auto uniform_site(const Parameters& parameters) {
-    const auto constant = [](const auto& number) { return number.constant(); };
-    auto shape = Finish::template shape<Real>(parameters, constant);
+    auto shape = Finish::template shape<Real>(parameters);
     return Site<Real, decltype(shape)>{std::move(shape), rotated(parameters.rotation.constant())};
   }
 
-  using UniformSite = decltype(uniform_site(std::declval<const Parameters&>()));
+  using Place = decltype(uniform_site(std::declval<const Parameters&>()));
+
+  /// The site of all points, if there is one.
+  static auto site_of_all([[maybe_unused]] const Parameters& parameters) {
+    if constexpr (Variation::varies)
+      return std::nullopt;
+    else
+      return uniform_site(parameters);
+  }
 
   decltype(auto) site_at(const SurfaceInteraction3f& si) const {
     if constexpr (Variation::varies)
-      return UniformSite{
-          Finish::template shape<Real>(parameters_, [&](const auto& number) { return number.at(si); }),
-          axes_at(si)};
+      return Place{Finish::template shape_at<Real>(parameters_, si), axes_at(si)};
     else
-      return static_cast<const UniformSite&>(uniform_);
+      return static_cast<const Place&>(uniform_);
   }
 
   Axes axes_at(const SurfaceInteraction3f& si) const {
@@ -269,48 +325,78 @@ class VGroove final : public BSDF<Float, Spectrum> {
     return {axes.cosine * x - axes.sine * y, axes.sine * x + axes.cosine * y};
   }
 
-  auto facet_at(const SurfaceInteraction3f& si) const {
-    const auto conductor = vgroove::conductor<Real>(parameters_.eta->eval(si), parameters_.k->eval(si));
-    if constexpr (Variation::varies) {
-      const UnpolarizedSpectrum tint = parameters_.tint->eval(si);
-      Values values;
-      for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
-        values[i] = std::max(Real(tint[i]), Real(0));
-      return vgroove::Tinted(conductor, values);
-    } else {
-      return conductor;
-    }
+  Values tint_at(const SurfaceInteraction3f& si) const {
+    const UnpolarizedSpectrum tint = parameters_.tint->eval(si);
+    Values values;
+    for (std::size_t i = 0; i < dr::size_v<UnpolarizedSpectrum>; ++i)
+      values[i] = Real(vgroove::tint_of(tint[i]));
+    return values;
   }
 
-  auto bsdf_at(const SurfaceInteraction3f& si, const UniformSite& site) const {
+  auto facet_at(const SurfaceInteraction3f& si) const {
+    const auto conductor = vgroove::conductor<Real>(parameters_.eta->eval(si), parameters_.k->eval(si));
+    if constexpr (Variation::tinted)
+      return vgroove::Tinted(conductor, tint_at(si));
+    else
+      return conductor;
+  }
+
+  auto bsdf_at(const SurfaceInteraction3f& si, const Place& site) const {
     if constexpr (Effect::polarization)
       return Finish::bsdf(site.shape, vcavity::polarized(facet_at(si)), parameters_);
     else
       return Finish::bsdf(site.shape, facet_at(si), parameters_);
   }
 
-  /// A rough surface of one material, whose colours do not depend on the wavelengths of a ray.
-  static constexpr bool is_fitted = std::is_base_of_v<Rough, Finish> && !Effect::polarization &&
-                                    !Variation::varies &&
-                                    std::is_same_v<UnpolarizedSpectrum, Color<float, 3>>;
+  using FittedFacet = vcavity::RationalFacet<Values>;
 
-  /// Makes the BSDF once and for all, with Fresnel's formula as a rational function, where that is as exact.
+  /// A rough surface whose colours do not depend on the wavelengths of a ray.
+  static constexpr bool may_be_fitted = std::is_base_of_v<Rough, Finish> && !Effect::polarization &&
+                                        std::is_same_v<UnpolarizedSpectrum, Color<float, 3>>;
+
+  /// Makes Fresnel's formula a rational function once and for all, where that is as exact, and the BSDF with it where
+  /// all points have the same.
   void fit() {
-    if constexpr (is_fitted) {
-      const auto si = dr::zeros<SurfaceInteraction3f>();
-      const auto conductor = vgroove::conductor<double>(parameters_.eta->eval(si), parameters_.k->eval(si));
-      const vcavity::RationalFacet<Values> facet(conductor);
-      constexpr double rounding = 5e-7;
+    if constexpr (may_be_fitted) {
       fitted_.reset();
-      if (facet.error() < rounding) fitted_.emplace(Finish::bsdf(uniform_.shape, facet, parameters_));
+      if (parameters_.index_varies()) return;
+      const auto si = dr::zeros<SurfaceInteraction3f>();
+      const FittedFacet facet(vgroove::conductor<double>(parameters_.eta->eval(si), parameters_.k->eval(si)));
+      constexpr double rounding = 5e-7;
+      if (!(facet.error() < rounding)) return;
+      if constexpr (Variation::varies)
+        fitted_.emplace(facet);
+      else if constexpr (Variation::tinted)
+        fitted_.emplace(Finish::bsdf(uniform_.shape, facet.dimmed(tint_at(si)), parameters_));
+      else
+        fitted_.emplace(Finish::bsdf(uniform_.shape, facet, parameters_));
     }
+  }
+
+  /// What `fit` makes; of no use for other surfaces.
+  static auto nothing_fitted() {
+    if constexpr (!may_be_fitted)
+      return std::nullopt;
+    else if constexpr (Variation::varies)
+      return std::optional<FittedFacet>();
+    else
+      return std::optional<decltype(Finish::bsdf(std::declval<const Place&>().shape,
+                                                 std::declval<const FittedFacet&>(),
+                                                 std::declval<const Parameters&>()))>();
   }
 
   /// Calls `use` with the BSDF at a point.
   template <class Use>
-  auto with_bsdf(const SurfaceInteraction3f& si, const UniformSite& site, const Use& use) const {
-    if constexpr (is_fitted)
-      if (fitted_) return use(*fitted_);
+  auto with_bsdf(const SurfaceInteraction3f& si, const Place& site, const Use& use) const {
+    if constexpr (may_be_fitted) {
+      if (fitted_) {
+        if constexpr (Variation::varies)
+          return use(Finish::bsdf(site.shape, parameters_.tinted ? fitted_->dimmed(tint_at(si)) : *fitted_,
+                                  parameters_));
+        else
+          return use(*fitted_);
+      }
+    }
     return use(bsdf_at(si, site));
   }
 
@@ -341,42 +427,40 @@ class VGroove final : public BSDF<Float, Spectrum> {
     }
   }
 
-  /// The BSDF that `fit` makes; of no use for other surfaces.
-  static auto fitted_bsdf() {
-    if constexpr (is_fitted)
-      return std::optional<decltype(Finish::bsdf(std::declval<const UniformSite&>().shape,
-                                                 std::declval<const vcavity::RationalFacet<Values>&>(),
-                                                 std::declval<const Parameters&>()))>();
-    else
-      return std::nullopt;
-  }
-
   Parameters parameters_;
-  UniformSite uniform_;
-  decltype(fitted_bsdf()) fitted_ = fitted_bsdf();
+  decltype(site_of_all(std::declval<const Parameters&>())) uniform_;
+  decltype(nothing_fitted()) fitted_ = nothing_fitted();
 };
 
 /// Calls `use` with the types of the cheapest BSDF that a scene's parameters allow.
 template <typename Float, typename Spectrum, class Use>
 auto with_types(const GrooveParameters<Float, Spectrum>& parameters, Use&& use) {
-  const auto finished = [&]<class Effect, class Variation>(Effect effect, Variation variation) {
-    return parameters.lobe_width > 0 ? use(effect, variation, SpreadLobes{})
-                                     : use(effect, variation, Mirrors{});
+  const auto spread = [&]<class Effect, class Variation, class Narrow>(Effect effect, Variation variation,
+                                                                       Narrow narrow) {
+    return parameters.lobe_width > 0 ? use(effect, variation, Spread<Narrow>{})
+                                     : use(effect, variation, narrow);
+  };
+  const auto finished = [&](auto effect, auto variation) {
+    return parameters.tilted ? spread(effect, variation, TiltedMirrors{})
+                             : spread(effect, variation, Mirrors{});
   };
   const auto rough = [&]<class Real, class Variation>(Real, Variation variation) {
     constexpr Following<Real, false> effect;
-    if (parameters.distribution == "ggx") return use(effect, variation, RoughGgx{});
-    if (parameters.distribution == "beckmann") return use(effect, variation, RoughBeckmann{});
-    return use(effect, variation, Brushed{});
+    if (parameters.distribution == "ggx") return use(effect, variation, RoughOf<MakeGgx>{});
+    if (parameters.distribution == "beckmann") return use(effect, variation, RoughOf<MakeBeckmann>{});
+    return use(effect, variation, RoughOf<MakeBrushed>{});
   };
-  const auto in_precision = [&]<class Real, class Variation>(Real real, Variation variation) {
-    if (parameters.is_rough()) return rough(real, variation);
+  const auto grooved = [&]<class Real>(Real, auto variation) {
     return parameters.effects.polarization ? finished(Following<Real, true>{}, variation)
                                            : finished(Following<Real, false>{}, variation);
   };
-  if (parameters.varies() || parameters.tinted) return in_precision(float{}, Varying{});
-  return parameters.effects.double_precision ? in_precision(double{}, Uniform{})
-                                             : in_precision(float{}, Uniform{});
+  const auto varied = [&](auto variation) {
+    // Plans of rough surfaces never ask for double precision.
+    if (parameters.is_rough()) return rough(float{}, variation);
+    return parameters.effects.double_precision ? grooved(double{}, variation) : grooved(float{}, variation);
+  };
+  if (parameters.varies() || parameters.tint_varies()) return varied(Varying{});
+  return parameters.tinted ? varied(UniformTinted{}) : varied(Uniform{});
 }
 
 NAMESPACE_END(mitsuba)

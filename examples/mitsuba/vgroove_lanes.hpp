@@ -4,11 +4,12 @@
 /// The BSDF `vgroove` of the vectorised variants: parallel grooves, many directions at once, with derivatives.
 ///
 /// The same headers of vcavity as in the scalar variants, called with arrays of Dr.Jit (lanes.hpp). Each direction has
-/// at most four lobes (lobe_slots.hpp), which are found in as many steps as the narrowest groove of the surface has
-/// bounces at most: a bound that is known when a scene is loaded or its parameters change, not a loop in the kernel.
+/// at most four lobes, or six where panels are not equally steep (lobe_slots.hpp), which are found in as many steps as
+/// the narrowest groove of the surface has bounces at most: a bound that is known when a scene is loaded or its
+/// parameters change, not a loop in the kernel.
 ///
-/// Derivatives with respect to the aperture, the index and the tint pass through weights, throughputs and directions;
-/// probabilities are detached, as Mitsuba's are.
+/// Derivatives with respect to the aperture, the tilt, the index and the tint pass through weights, throughputs and
+/// directions; probabilities are detached, as Mitsuba's are.
 
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/mueller.h>
@@ -44,7 +45,9 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
                                            Float u_lobe, const Point2f& u_direction,
                                            Mask active) const override {
     return with_facet(si, active, [&](const auto& facet) {
-      return sample_of(facet, context, si, u_lobe, u_direction, active);
+      return with_seen(si, active, [&](const auto& seen) {
+        return sample_of(facet, seen, context, si, u_lobe, u_direction, active);
+      });
     });
   }
 
@@ -61,22 +64,24 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   std::pair<Spectrum, Float> eval_pdf(const BSDFContext& context, const SurfaceInteraction3f& si,
                                       const Vector3f& wi, Mask active) const override {
     if (is_discrete() || !context.is_enabled(kind_)) return {dr::zeros<Spectrum>(), dr::zeros<Float>()};
+    active &= si.wi.z() >= 0.f && wi.z() >= 0.f;
     return with_facet(si, active, [&](const auto& facet) {
-      const Seen seen = seen_from(si, active);
-      const auto slots =
-          vcavity::lobe_slots(seen.cavity, seen.towards, facet, parameters_.effects.max_bounces);
-      const Vector local = seen.mirrored(seen.axes.to_groove(vector(wi)));
-      const auto both = spread(slots, odds(slots), local);
-      active &= si.wi.z() >= 0.f && wi.z() >= 0.f;
-      return std::pair<Spectrum, Float>(
-          dr::select(active, spectrum(both.first, seen, local, context.mode), dr::zeros<Spectrum>()),
-          dr::select(active, both.second.array, 0.f));
+      return with_seen(si, active, [&](const auto& seen) {
+        const auto slots =
+            vcavity::lobe_slots(seen.groove, seen.towards, facet, parameters_.effects.max_bounces);
+        const Vector local = seen.mirrored(seen.axes.to_groove(vector(wi)));
+        const auto both = spread(slots, odds(slots), local);
+        return std::pair<Spectrum, Float>(
+            dr::select(active, spectrum(both.first, seen, local, context.mode), dr::zeros<Spectrum>()),
+            dr::select(active, both.second.array, 0.f));
+      });
     });
   }
 
   void traverse(TraversalCallback* callback) override {
     // A change of the aperture moves the directions of mirrors, and of what is seen in them.
     callback->put("aperture", parameters_.aperture.texture(), ParamFlags::Differentiable);
+    if (parameters_.tilted) callback->put("tilt", parameters_.tilt.texture(), ParamFlags::Differentiable);
     callback->put("rotation", parameters_.rotation.texture(), ParamFlags::Differentiable);
     callback->put("eta", parameters_.eta, ParamFlags::Differentiable);
     callback->put("k", parameters_.k, ParamFlags::Differentiable);
@@ -84,8 +89,7 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   }
 
   void parameters_changed(const std::vector<std::string>& keys) override {
-    parameters_.aperture.look_again();
-    parameters_.rotation.look_again();
+    parameters_.look_again();
     bound_bounces();
     Base::parameters_changed(keys);
   }
@@ -112,10 +116,11 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   };
 
   /// What is seen at a point from a direction.
+  template <class Groove>
   struct Seen {
-    vcavity::Cavity<Real> cavity;
+    Groove groove;
     Axes axes;
-    Vector towards;  ///< in the frame of the groove, mirrored so that panel one faces it
+    Vector towards;  ///< in the frame of the groove; of equal panels mirrored so that panel one faces it
     Float side;      ///< −1 where it is mirrored, else 1
 
     /// A direction in the frame of the groove, mirrored like `towards`; and back.
@@ -152,13 +157,23 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
     return {axes.cosine * x - axes.sine * y, axes.sine * x + axes.cosine * y};
   }
 
-  Seen seen_from(const SurfaceInteraction3f& si, Mask active) const {
-    const Float aperture = dr::deg_to_rad(parameters_.aperture.at(si, active));
+  /// Calls `use` with what is seen at a point.
+  template <class Use>
+  auto with_seen(const SurfaceInteraction3f& si, Mask active, Use&& use) const {
+    const Float aperture = parameters_.aperture.at(si, active);
+    const vcavity::Cavity<Real> groove(Real(dr::minimum(dr::deg_to_rad(aperture), dr::Pi<float>)),
+                                       max_bounces_);
     const Axes axes = axes_at(si, active);
-    const Vector wo = axes.to_groove(vector(si.wi));
-    return {vcavity::Cavity<Real>(Real(dr::minimum(aperture, dr::Pi<float>)), max_bounces_), axes,
-            Vector{wo.x, magnitude(wo.y), at_least(wo.z, Real(0))},
-            Float(dr::select(wo.y.array < 0.f, Float(-1.f), Float(1.f)))};
+    Vector wo = axes.to_groove(vector(si.wi));
+    wo.z = at_least(wo.z, Real(0));
+    if (parameters_.tilted) {
+      const Float most = dr::maximum(90.f - 0.5f * aperture - Parameters::least_slope, 0.f);
+      const Float tilt = dr::clip(parameters_.tilt.at(si, active), -most, most);
+      const vcavity::AsymmetricGroove<Real> tilted(groove, Real(dr::deg_to_rad(tilt)));
+      return use(Seen<vcavity::AsymmetricGroove<Real>>{tilted, axes, wo, Float(1.f)});
+    }
+    const Float side = dr::select(wo.y.array < 0.f, Float(-1.f), Float(1.f));
+    return use(Seen<vcavity::Cavity<Real>>{groove, axes, Vector{wo.x, magnitude(wo.y), wo.z}, side});
   }
 
   /// Calls `use` with the facet of a point.
@@ -166,7 +181,7 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   auto with_facet(const SurfaceInteraction3f& si, Mask active, Use&& use) const {
     const auto conductor = vgroove::conductor_of_lanes<Values>(parameters_.eta->eval(si, active),
                                                                parameters_.k->eval(si, active));
-    const Values tint = UnpolarizedSpectrum(dr::maximum(parameters_.tint->eval(si, active), 0.f));
+    const Values tint = UnpolarizedSpectrum(dr::clip(parameters_.tint->eval(si, active), 0.f, 1.f));
     if (!parameters_.tinted)
       return parameters_.effects.polarization ? use(vcavity::polarized(conductor)) : use(conductor);
     const vgroove::Tinted tinted(conductor, tint);
@@ -184,14 +199,14 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
     return result;
   }
 
-  template <class Facet>
-  std::pair<BSDFSample3f, Spectrum> sample_of(const Facet& facet, const BSDFContext& context,
-                                              const SurfaceInteraction3f& si, const Float& u_lobe,
-                                              const Point2f& u_direction, Mask active) const {
+  template <class Facet, class AnySeen>
+  std::pair<BSDFSample3f, Spectrum> sample_of(const Facet& facet, const AnySeen& seen,
+                                              const BSDFContext& context, const SurfaceInteraction3f& si,
+                                              const Float& u_lobe, const Point2f& u_direction,
+                                              Mask active) const {
     BSDFSample3f result = dr::zeros<BSDFSample3f>();
     if (!context.is_enabled(kind_)) return {result, dr::zeros<Spectrum>()};
-    const Seen seen = seen_from(si, active);
-    const auto slots = vcavity::lobe_slots(seen.cavity, seen.towards, facet, parameters_.effects.max_bounces);
+    const auto slots = vcavity::lobe_slots(seen.groove, seen.towards, facet, parameters_.effects.max_bounces);
     const auto probabilities = odds(slots);
     auto drawn = vcavity::drawn_slot(slots, probabilities, Real(u_lobe));
     // Rounding may have put a direction below the horizon.
@@ -221,8 +236,8 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
 
   /// The light that lobes of a width send in a direction per steradian, and the density of drawing it; as in
   /// `SpreadGrooveBsdf`.
-  template <class Slots>
-  auto spread(const Slots& slots, const std::array<Real, 4>& probabilities, const Vector& wi) const {
+  template <class Slots, class Probabilities>
+  auto spread(const Slots& slots, const Probabilities& probabilities, const Vector& wi) const {
     using Power = std::remove_cvref_t<decltype(slots[0].light)>;
     if (is_discrete()) return std::pair<Power, Real>(Power(0), Real(0));
     const vcavity::VonMisesFisher<float> around = distribution();
@@ -237,13 +252,15 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
     return result;
   }
 
-  static Spectrum spectrum(const Values& light, const Seen&, const Vector&, TransportMode) {
+  template <class AnySeen>
+  static Spectrum spectrum(const Values& light, const AnySeen&, const Vector&, TransportMode) {
     return depolarizer<Spectrum>(light.array);
   }
 
   /// A Mueller matrix, from the mirrored axes of vcavity to those of Mitsuba.
   /// @param wi where the light comes from or goes to, mirrored like `seen.towards`
-  static Spectrum spectrum(const vcavity::Mueller<Values>& from_wo, const Seen& seen, const Vector& wi,
+  template <class AnySeen>
+  static Spectrum spectrum(const vcavity::Mueller<Values>& from_wo, const AnySeen& seen, const Vector& wi,
                            TransportMode mode) {
     const bool towards_wo = mode == TransportMode::Radiance;
     const vcavity::Mueller<Values> light = towards_wo ? reversed(from_wo) : from_wo;

@@ -68,6 +68,39 @@ TEST_CASE("The slots of many directions hold the lobes of each") {
   }
 }
 
+TEST_CASE("The slots of an asymmetric groove hold the lobes of each direction, from either side") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Conductor<double> copper(0.24, 3.4);
+  std::size_t most_found = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double aperture = radians(trial % 3 == 0 ? 1 + 19 * uniform(random) : 1 + 178 * uniform(random));
+    const double most_tilt = (pi<double>() - aperture) / 2;
+    const AsymmetricGroove<double> groove(aperture, (1.99 * uniform(random) - 0.995) * most_tilt);
+    Vec3<Directions> e = packet(random);
+    for (std::size_t i = 0; i < lanes; i += 2) e.y[i] = -e.y[i];
+    const int max_bounces = trial % 5 == 0 ? 3 : all_bounces;
+    const auto slots = lobe_slots(groove, e, copper.over_directions<lanes>(), max_bounces);
+    STATIC_REQUIRE(slots.size() == AsymmetricGroove<double>::max_lobes);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      CAPTURE(aperture, groove.tilt(), e.x[i], e.y[i], e.z[i]);
+      const auto expected = lobes(groove, lane(e, i), copper, max_bounces);
+      std::size_t found = 0;
+      for (const auto& slot : slots) found += slot.weight[i] > 0 ? 1 : 0;
+      REQUIRE(found == expected.size());
+      most_found = std::max(most_found, found);
+      for (const auto& lobe : expected) {
+        const auto& slot = slots[slot_of(groove, lobe.first_panel, lobe.bounces)];
+        CHECK(std::abs(slot.weight[i] - lobe.weight) < 1e-12);
+        CHECK(std::abs(slot.light[i] - lobe.weight * lobe.throughput) < 1e-12);
+        const Vec3<double> d = lane(slot.direction, i) - lobe.direction;
+        CHECK(std::hypot(d.x, d.y, d.z) < 1e-12);
+      }
+    }
+  }
+  CHECK(most_found == 6);
+}
+
 TEST_CASE("Slots are drawn as often as they have light, and none without") {
   std::mt19937 random(2);
   const Conductor<double> copper(0.24, 3.4);

@@ -71,3 +71,18 @@ TEST_CASE("every colour of a fit is the fit of that colour, in lanes too") {
     }
   }
 }
+
+TEST_CASE("a dimmed fit reflects that part of every colour, in lanes too, with no larger error") {
+  using Rgb = Pack<double, 3>;
+  const RationalFacet<Rgb> fitted{Conductor<Rgb>(Rgb(opaque[0].n), Rgb(opaque[0].k))};
+  const Rgb part(std::array{0.25, 1.0, 0.0});
+  const RationalFacet<Rgb> dimmed = fitted.dimmed(part);
+  for (const double cosine : {0.0, 1e-3, 0.4, 1.0}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(dimmed(cosine)[i] == Approx(part[i] * fitted(cosine)[i]).epsilon(1e-14));
+      CHECK(dimmed.over_directions<4>(i)(Pack<double, 4>(cosine))[1] ==
+            Approx(dimmed(cosine)[i]).epsilon(1e-14));
+    }
+  }
+  CHECK(dimmed.error() <= fitted.error());
+}

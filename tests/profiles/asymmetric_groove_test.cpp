@@ -103,6 +103,23 @@ TEST_CASE("a groove without tilt is the symmetric one") {
   }
 }
 
+TEST_CASE("a groove around a bisector that is made already is the one of its aperture and tilt") {
+  Dice dice(19);
+  const Conductor<double> copper(0.24, 3.4);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const AsymmetricGroove<double> expected = dice.groove();
+    const double half = expected.aperture() / 2;
+    const AsymmetricGroove<double> groove(Cavity<double>::from_normal(std::cos(half), std::sin(half)),
+                                          expected.tilt());
+    const Vec3<double> e = dice.light();
+    CAPTURE(degrees(expected.aperture()), degrees(expected.tilt()), e.x, e.y, e.z);
+    CHECK(groove.tilt() == expected.tilt());
+    CHECK(std::abs(directional_reflectance(groove, e, copper) -
+                   directional_reflectance(expected, e, copper)) < 2e-14);
+    CHECK(std::abs(groove.developed_area() / expected.developed_area() - 1) < 1e-12);
+  }
+}
+
 TEST_CASE("every lobe of an asymmetric groove of two materials has a reverse one of the same flux") {
   Dice dice(6);
   const PanelFacets facets{polarized(Conductor<double>(0.1249, 3.3391)),
@@ -206,6 +223,10 @@ TEST_CASE("slopes and apertures that make no groove are refused") {
   CHECK_THROWS_AS(AsymmetricGroove<double>(pi<double>(), 0.0), std::invalid_argument);
   CHECK_THROWS_AS(AsymmetricGroove<double>(std::nan(""), 0.0), std::invalid_argument);
   CHECK_THROWS_AS(AsymmetricGroove<double>(1.0, std::nan("")), std::invalid_argument);
+  const Cavity<double> bisected(radians(60.0));
+  for (const double tilt : {radians(60.0), radians(-60.0), 2 * pi<double>(), std::nan("")})
+    CHECK_THROWS_AS(AsymmetricGroove<double>(bisected, tilt), std::invalid_argument);
+  CHECK_THROWS_AS(AsymmetricGroove<double>(Cavity<double>(pi<double>()), 0.0), std::invalid_argument);
   CHECK_THROWS_AS(AsymmetricGroove<double>::from_slopes(2.0, 1.2), std::invalid_argument);
   CHECK_THROWS_AS(AsymmetricGroove<double>::from_slopes(0.0, 1.2), std::invalid_argument);
   const auto overhang = AsymmetricGroove<double>::from_slopes(radians(108.315), radians(0.315));

@@ -92,6 +92,14 @@ class RationalFacet {
     return at_most(Value(polynomial / (off * off + pole_im2_)), Real(1));
   }
 
+  /// The facet that reflects a part of what this one does, at the same cost.
+  /// @param part in [0, 1], of each component
+  RationalFacet dimmed(const Value& part) const {
+    RationalFacet result = *this;
+    for (Value& coefficient : result.coefficients_) coefficient = part * coefficient;
+    return result;
+  }
+
   /// One component of the values, counted from 0, for several directions at once.
   template <std::size_t directions>
   VCAVITY_INLINE RationalFacet<Pack<Real, directions>> over_directions(std::size_t i) const {

@@ -62,6 +62,25 @@ class AsymmetricGroove {
     opening_ = lengths_[0] * lengths_[1] * sin(aperture);
   }
 
+  /// The same around a symmetric groove that is made already, for a renderer that makes one for every point it shades:
+  /// the tilt is added to half the aperture by the addition theorem. Packs of grooves are not checked.
+  /// @param bisected of this aperture, below π
+  /// @param tilt as above
+  /// @throws std::invalid_argument when one is out of range or is not a number
+  AsymmetricGroove(const Cavity<Real>& bisected, const Real& tilt) : bisected_(bisected), tilt_(tilt) {
+    using std::cos;
+    using std::sin;
+    cos_tilt_ = cos(tilt);
+    sin_tilt_ = sin(tilt);
+    const Real up = bisected.cos_half() * cos_tilt_, turned = bisected.sin_half() * sin_tilt_;
+    if constexpr (Number<Real>)
+      if (!(up - magnitude(turned) > rounding() && magnitude(tilt) < pi<Real>()))
+        refuse_tilt(bisected.aperture(), tilt);
+    lengths_[0] = Real(1) / Real(up + turned);
+    lengths_[1] = Real(1) / Real(up - turned);
+    opening_ = Real(2) * bisected.sin_half() * bisected.cos_half() * (lengths_[0] * lengths_[1]);
+  }
+
   /// The groove whose panels stand at given angles to the mean plane.
   /// @param one,two positive, together below π; a wall beyond π/2 overhangs
   /// @throws std::invalid_argument when they make no groove
@@ -119,19 +138,24 @@ class AsymmetricGroove {
 
  private:
   static const Real& checked(const Real& aperture, const Real& tilt) {
-    std::ostringstream message;
     if (!(aperture > Real(0) && aperture < pi<Real>())) {
+      std::ostringstream message;
       message << "the aperture of an asymmetric groove must lie in (0, π) radians, not " << aperture;
       throw_invalid_argument(message.str());
     }
-    const Real most = (pi<Real>() - aperture) / Real(2);
-    const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
-    if (!(magnitude(tilt) < most - rounding)) {
-      message << "the tilt of a groove of aperture " << aperture << " must be less than " << most
-              << " radians either way, not " << tilt;
-      throw_invalid_argument(message.str());
-    }
+    if (!(magnitude(tilt) < most_tilt(aperture) - rounding())) refuse_tilt(aperture, tilt);
     return aperture;
+  }
+
+  static Real most_tilt(const Real& aperture) { return (pi<Real>() - aperture) / Real(2); }
+
+  static Real rounding() { return Real(4) * std::numeric_limits<Real>::epsilon(); }
+
+  static void refuse_tilt(const Real& aperture, const Real& tilt) {
+    std::ostringstream message;
+    message << "the tilt of a groove of aperture " << aperture << " must be less than " << most_tilt(aperture)
+            << " radians either way, not " << tilt;
+    throw_invalid_argument(message.str());
   }
 
   Cavity<Real> bisected_;
