@@ -219,6 +219,44 @@ TEST_CASE("ten digits take fewer than 3,000 evaluations at any aperture from 45Â
   }
 }
 
+TEST_CASE("a flat surface takes fewer than 250 evaluations for ten digits: its light is even across") {
+  const Cavity<double> flat(pi<double>());
+  CHECK(bihemispherical_reflectance(flat, Conductor<double>(0.1249, 3.3391), 1e-10).evaluations < 250);
+  CHECK(bihemispherical_reflectance(flat, polarized(Dielectric<double>(1.5)), 1e-10).evaluations < 250);
+  CHECK(bihemispherical_reflectance(flat, Dielectric<double>(0.7), 1e-10).evaluations < 2000);
+}
+
+TEST_CASE(
+    "the first rule usually does in wide grooves, and fields cost no more evaluations than their power") {
+  const auto mean = [](const auto& facet) {
+    double sum = 0, count = 0;
+    for (const double aperture_deg : {45, 50, 60, 67, 75, 82, 90, 100, 110, 120, 135, 150, 165, 179}) {
+      const Cavity<double> cavity(radians(aperture_deg));
+      sum += static_cast<double>(bihemispherical_reflectance(cavity, facet, 1e-10).evaluations);
+      ++count;
+    }
+    return sum / count;
+  };
+  const auto check = [&](const auto& facet, double most) {
+    const double unpolarised = mean(facet), fields = mean(polarized(facet));
+    CAPTURE(facet(1.0), unpolarised, fields);
+    CHECK(unpolarised <= most);
+    CHECK(fields <= 1.1 * unpolarised);
+  };
+  check(Conductor<double>(0.1249, 3.3391), 1050);
+  check(Conductor<double>(2.9, 3), 850);
+  check(Dielectric<double>(1.5), 1000);
+  check(Dielectric<double>(0.7), 25'000);
+}
+
+TEST_CASE("poles that many bounces share are known to the estimate") {
+  // Six bounces of p light off a medium of high index: the series falls late.
+  const Cavity<double> cavity(radians(30.290114164524997));
+  const auto facet = separately_polarized(Conductor<double>(7.6436781590473215, 1.7514096726420649));
+  const auto result = bihemispherical_reflectance(cavity, facet, 1e-10);
+  CHECK(std::abs(result.value - bihemispherical_reflectance(cavity, facet, 1e-14).value) <= result.error);
+}
+
 TEST_CASE("critical angles cost no more than their cuts") {
   // Without cuts where bounces become critical, twenty million evaluations do not suffice.
   for (const auto& [aperture_deg, n, most] :

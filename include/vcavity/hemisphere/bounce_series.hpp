@@ -60,6 +60,8 @@ class BounceSeries {
       : cavity_(&cavity), u_(u), size_(std::min(max_bounces, cavity.max_bounces())) {
     // The rays of most bounces may not come to this u at all.
     while (size_ > 0 && !(angle(size_) + u < pi<Real>() / Real(2))) --size_;
+    constexpr int usual = 8;
+    terms_.reserve(static_cast<std::size_t>(std::min(size_, usual)));
   }
 
   /// The largest number of bounces.

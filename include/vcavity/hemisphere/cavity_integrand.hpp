@@ -44,11 +44,14 @@ class CavityIntegrand {
     return cavity.max_bounces() > many_bounces;
   }
 
-  /// How series along the groove fall off. Bounces off panels that face the light share the pole of r_p² nearest
-  /// to them. In narrow grooves waves that interfere after many bounces show late in a series.
+  /// How series along the groove fall off. Near grazing light all bounces of a ray have a pole of r_p² close to the same ψ:
+  /// of most rays those that are upright, of some all but the flattest. In narrow grooves waves that interfere after
+  /// many bounces show late in a series.
   static SeriesDecay decay_along(const Cavity<Real>& cavity) {
     constexpr bool is_wave = !std::invocable<const Facet&, const Real&>;
     if (is_narrow(cavity)) return {0, 2, is_wave ? 0.1 : 0.6};
+    constexpr int many_poles = 5;
+    if (cavity.max_bounces() >= many_poles) return {0, 2 * (cavity.max_bounces() - 1), 1};
     constexpr double nearly_upright = 0.9;
     return {0, 2 + 2 * static_cast<int>(nearly_upright / static_cast<double>(cavity.aperture())), 1};
   }
@@ -95,8 +98,9 @@ class CavityIntegrand {
     const auto add = [&](const Real& u) {
       if (u > Real(0) && u < half) ends.push_back(u);
     };
-    left_uncut_ = light_of_longest_rays(negligible);
-    if (left_uncut_ > negligible) {
+    constexpr int few_bounces = 3;  // survived by light that is not negligible
+    left_uncut_ = cavity_->max_bounces() > few_bounces ? light_of_longest_rays(negligible) : negligible;
+    if (!(left_uncut_ < negligible)) {
       left_uncut_ = Real(0);
       for (const Real& u : ends_of_rays()) add(u);
     }
@@ -142,7 +146,10 @@ class CavityIntegrand {
     bounces.erase(std::unique(bounces.begin(), bounces.end()), bounces.end());
     const std::size_t positive = bounces.size();
     for (std::size_t i = 0; i < positive; ++i) bounces.push_back(-bounces[i]);
-    return singularities_.across(low, high, bounces, critical_is_lit_);
+    // Light on a flat surface bounces once, and as much of it from either side.
+    const bool is_even = cavity_->max_bounces() == 1 && low == Real(0);
+    return singularities_.across(low, high, bounces, critical_is_lit_,
+                                 is_even ? Symmetry::even : Symmetry::none);
   }
 
   /// The integrand at one u, as a function of ψ.
@@ -155,8 +162,9 @@ class CavityIntegrand {
       if (integrand_->singularities_.is_cut()) find_critical_angles();
     }
 
-    /// A direction by the variable along the groove.
-    AlongDirection<Real> direction(const Real& x) const {
+    /// A direction by the variable along the groove, or a pack of them.
+    template <class Reals>
+    AlongDirection<Reals> direction(const Reals& x) const {
       return along_direction(integrand_->singularities_.variable(), x);
     }
 
@@ -193,7 +201,12 @@ class CavityIntegrand {
     }
 
     QuadraturePiece<Real> piece(const Real& low, const Real& high) const {
-      return integrand_->singularities_.along(low, high, angles_);
+      QuadraturePiece<Real> result = integrand_->singularities_.along(low, high, angles_);
+      // The most upright bounce of all rays is the only one of those that bounce once.
+      const Real most_upright = series_[1].ends.cosine_first * direction(low).cosine;
+      constexpr std::size_t enough = 8;  // for cos²ψ
+      if (most_upright <= integrand_->singularities_.total_below()) result.order = enough;
+      return result;
     }
 
     /// The integrand for one ψ or a pack of them.
@@ -238,8 +251,9 @@ class CavityIntegrand {
       std::vector<CriticalAngle<Real>> descending, nearly;
       const auto add = [&](const Real& cos_across) {
         if (!(cos_across > facet.critical())) {
-          // Not critical at any ψ, but next to it at ψ = 0.
-          if (cos_across > Real(0)) nearly.push_back({Real(0), static_cast<double>(cos_across)});
+          // Not critical at any ψ, but next to it at ψ = 0. Where critical angles are sharp nothing is lost there, nor
+          // do phases matter: such bounces are the first and the last ones of a ray, and their Jones matrices unitary.
+          if (cos_across > Real(0) && !facet.is_sharp()) nearly.push_back(facet.critical_angle(cos_across));
           return false;
         }
         descending.push_back(facet.critical_angle(cos_across));
@@ -264,12 +278,11 @@ class CavityIntegrand {
       for (const auto& angle : angles_) {
         if (!(angle.at < end())) continue;
         const Real apart = cuts_.empty() ? end() : Real(angle.at - cuts_.back().at);
-        if (apart > indistinct && static_cast<double>(apart) > 2 * facet.blur(angle)) cuts_.push_back(angle);
+        if (apart > indistinct && static_cast<double>(apart) > 2 * std::abs(angle.branch.imag()))
+          cuts_.push_back(angle);
         if (!(apart > indistinct)) uncut_ = Real(4) * indistinct;  // of an integrand from 0 to 2, and back
       }
-      constexpr bool has_phase = !std::invocable<const Facet&, const Real&>;
-      if (has_phase || !(facet.total_below() > Real(0)))
-        angles_.insert(angles_.begin(), nearly.begin(), nearly.end());
+      angles_.insert(angles_.begin(), nearly.begin(), nearly.end());
     }
 
     const CavityIntegrand* integrand_;

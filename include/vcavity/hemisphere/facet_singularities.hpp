@@ -20,6 +20,7 @@
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/numbers/adaptive_quadrature.hpp"
+#include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
 
 namespace vcavity::detail {
@@ -28,37 +29,54 @@ namespace vcavity::detail {
 /// light. In narrow grooves reflectances change on the scale of cos ψ ~ α, and as functions of t on the scale 1.
 enum class AlongVariable { angle, logarithmic };
 
-/// A direction by the variable along the groove.
-template <class Real>
+/// A direction by the variable along the groove, or a pack of them.
+template <class Reals>
 struct AlongDirection {
-  Real sine, cosine;  ///< of ψ
-  Real slope;         ///< dψ over that of the variable
+  Reals sine, cosine;  ///< of ψ
+  Reals slope;         ///< dψ over that of the variable
 };
 
-template <class Real>
-AlongDirection<Real> along_direction(AlongVariable variable, const Real& x) {
-  using std::cos;
-  using std::cosh;
-  using std::sin;
-  using std::tanh;
-  if (variable == AlongVariable::angle) return {sin(x), cos(x), Real(1)};
-  const Real cosine = Real(1) / cosh(x);
-  return {tanh(x), cosine, cosine};
+template <class Reals>
+AlongDirection<Reals> along_direction(AlongVariable variable, const Reals& x) {
+  using Real = scalar_t<Reals>;
+  if (variable == AlongVariable::angle) {
+    const auto [sine, cosine] = sine_and_cosine(x);
+    return {sine, cosine, Reals(Real(1))};
+  }
+  const Reals cosine = transformed(x, [](const Real& a) {
+    using std::cosh;
+    return Real(Real(1) / cosh(a));
+  });
+  const Reals sine = transformed(x, [](const Real& a) {
+    using std::tanh;
+    return Real(tanh(a));
+  });
+  return {sine, cosine, cosine};
 }
 
 /// The variable along the groove for a cosine of ψ.
-template <class Number>
-Number along_of_cosine(AlongVariable variable, const Number& cosine) {
+template <class Real>
+Real along_of_cosine(AlongVariable variable, const Real& cosine) {
   using std::acos;
   using std::acosh;
-  return variable == AlongVariable::angle ? acos(cosine) : acosh(Number(1) / cosine);
+  return variable == AlongVariable::angle ? acos(cosine) : acosh(Real(1) / cosine);
+}
+/// The same for a singularity; most are real.
+inline std::complex<double> along_of_cosine(AlongVariable variable, const std::complex<double>& cosine) {
+  const bool is_angle = variable == AlongVariable::angle;
+  if (cosine.imag() != 0 || !(cosine.real() > 0))
+    return is_angle ? std::acos(cosine) : std::acosh(1.0 / cosine);
+  const double x = cosine.real();
+  if (x <= 1) return along_of_cosine(variable, x);
+  return {0, is_angle ? std::acosh(x) : std::acos(1 / x)};
 }
 
 /// Where a bounce passes the critical angle.
 template <class Real>
 struct CriticalAngle {
-  Real at;            ///< the variable along the groove
-  double cos_across;  ///< the cosine of incidence of that bounce at ψ = 0
+  Real at;                      ///< the variable along the groove
+  double cos_across;            ///< the cosine of incidence of that bounce at ψ = 0
+  std::complex<double> branch;  ///< where its square root is 0: off the real axis if there is absorption
 };
 
 template <class Real>
@@ -90,18 +108,20 @@ class FacetSingularities {
   const Real& critical() const { return critical_; }
 
   /// The cosine of incidence below which no light is lost; 0 if there is none.
-  Real total_below() const { return is_cut() && branch_.imag() == 0 ? critical_ : Real(0); }
+  Real total_below() const { return is_cut() && is_sharp() ? critical_ : Real(0); }
 
   /// Where a bounce passes the critical angle.
-  /// @param cos_across its cosine at ψ = 0, above the critical one
+  /// @param cos_across its cosine at ψ = 0; not above the critical one it passes at none, and next to 0
   CriticalAngle<Real> critical_angle(const Real& cos_across) const {
-    return {along_of_cosine(variable_, Real(critical_ / cos_across)), double_of(cos_across)};
+    const double cosine = double_of(cos_across);
+    const bool is_passed = cos_across > critical_;
+    const Real at = is_passed ? along_of_cosine(variable_, Real(critical_ / cos_across)) : Real(0);
+    if (is_passed && is_sharp()) return {at, cosine, double_of(at)};
+    return {at, cosine, along_of_cosine(variable_, branch_ / cosine)};
   }
 
-  /// How far off the real axis the branch point of a critical angle lies.
-  double blur(const CriticalAngle<Real>& angle) const {
-    return std::abs(along_of_cosine(variable_, branch_ / angle.cos_across).imag());
-  }
+  /// Whether critical angles are not blurred by absorption.
+  bool is_sharp() const { return branch_.imag() == 0; }
 
   /// A piece of the range of the variable along the groove.
   /// @param angles at which to beware, in ascending order; none of them inside, unless blurred
@@ -130,13 +150,13 @@ class FacetSingularities {
     bool ends_at_branch = false;
     double beyond = std::numeric_limits<double>::infinity();
     const auto near = [&](const Real& end) {
-      constexpr std::ptrdiff_t neighbours = 3;
+      const std::ptrdiff_t neighbours = is_sharp() ? 2 : 3;
       const auto next = std::lower_bound(angles.begin(), angles.end(), end,
                                          [](const auto& angle, const Real& x) { return angle.at < x; });
       const auto first = next - std::min(neighbours, next - angles.begin());
       const auto last = next + std::min(neighbours, angles.end() - next);
       for (auto angle = first; angle != last; ++angle) {
-        const std::complex<double> at = along_of_cosine(variable_, branch_ / angle->cos_across);
+        const std::complex<double>& at = angle->branch;
         constexpr double coincident = 1e-9;  // of the width
         const bool ends_low = std::abs(at - double_of(low)) < coincident * half;
         const bool ends_high = std::abs(at - double_of(high)) < coincident * half;
@@ -149,7 +169,7 @@ class FacetSingularities {
         ends_at_branch = true;
         const std::complex<double> brewster = along_of_cosine(variable_, brewster_ / angle->cos_across);
         const std::complex<double> u = SineSubstitution(1).inverse((brewster - middle) / half);
-        beyond = std::min(beyond, convergence_rate(2.0 - (ends_high ? u : -u)));
+        beyond = std::min(beyond, convergence_rate(half_axis(2.0 - (ends_high ? u : -u))));
       }
     };
     if (is_cut()) {
@@ -167,12 +187,14 @@ class FacetSingularities {
   /// A piece of the range of an angle across the groove.
   /// @param bounces for each bounce at the angle 0, its angle from the normal of the panel
   /// @param lit whether light is left where bounces pass the critical angle
+  /// @param symmetry about `low`
   QuadraturePiece<Real> across(const Real& low, const Real& high, const std::vector<double>& bounces,
-                               bool lit) const {
-    QuadraturePiece<Real> piece{low, high, Symmetry::none, SineSubstitution(is_cut() ? 1 : 0)};
+                               bool lit, Symmetry symmetry) const {
+    QuadraturePiece<Real> piece{low, high, symmetry, SineSubstitution(is_cut() ? 1 : 0)};
     if (cosines_.empty()) return piece;
-    const double middle = 0.5 * (double_of(low) + double_of(high));
-    const double half = 0.5 * (double_of(high) - double_of(low));
+    const double start = symmetry == Symmetry::even ? -double_of(high) : double_of(low);
+    const double middle = 0.5 * (start + double_of(high));
+    const double half = 0.5 * (double_of(high) - start);
     std::vector<std::complex<double>> singularities;
     for (const std::complex<double>& cosine : cosines_) {
       const bool is_branch = is_cut() && std::abs(cosine) == std::abs(branch_);
@@ -182,7 +204,7 @@ class FacetSingularities {
         for (const double side : {1.0, -1.0}) {
           std::complex<double> angle = side * singular - bounce;
           constexpr double coincident = 1e-9;
-          if (is_branch && (std::abs(angle - double_of(low)) < coincident * half ||
+          if (is_branch && (std::abs(angle - start) < coincident * half ||
                             std::abs(angle - double_of(high)) < coincident * half))
             angle = 2.0 * angle - (side * std::acos(brewster_) - bounce);  // as in `along`
           singularities.push_back((angle - middle) / half);

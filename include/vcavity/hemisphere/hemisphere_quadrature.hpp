@@ -64,7 +64,7 @@ class HemisphereQuadrature {
   /// @param limit of all evaluations
   Integral<Value> attempt(double tolerance, long long limit) {
     limit_ = limit;
-    kept_pieces_.clear();
+    along_pieces_.clear();
     kept_orders_.clear();
     const double norm = static_cast<double>(integrand_.norm());
     // Half of it for the outer rule, the rest for the inner ones and for light that is not followed.
@@ -75,11 +75,11 @@ class HemisphereQuadrature {
     along_tolerance_ = 0.4 * all / width;
     negligible_ = static_cast<Real>(std::min(0.05 * along_tolerance_, 0.1));
     const double across_tolerance = 0.5 * all;
-    auto result = AdaptiveIntegral<Real, Value>{Value(0), across_tolerance * 2, 0, {}};
+    auto result = AdaptiveIntegral<Value>{Value(0), across_tolerance * 2, 0};
     if (pieces.size() == 1 && integrand_.even_across()) result = by_two_nodes(across_tolerance);
     if (result.error > across_tolerance)
       result = integrate_adaptively<Real, Value>(
-          std::move(pieces), across_tolerance, {1, min_series_order, 40, integrand_.believed_across()},
+          pieces, across_tolerance, {1, min_series_order, 40, integrand_.believed_across(), margin_across},
           [&](const auto& piece, const auto& rule) { return across(piece, rule); },
           [&](const Piece& piece) { return integrand_.halves_across(piece); },
           [&] { return is_exhausted(); });
@@ -94,6 +94,7 @@ class HemisphereQuadrature {
   using Piece = QuadraturePiece<Real>;
 
   static constexpr long long max_evaluations = 20'000'000;
+  static constexpr double margin_across = 0.03;  // by trial: fewest evaluations
 
   /// Whether facets are asked for several directions of the same angle across at once.
   static constexpr bool in_packs() {
@@ -116,10 +117,10 @@ class HemisphereQuadrature {
   bool is_exhausted() const { return evaluations_ >= limit_; }
 
   /// The outer integral of an integrand that is almost even (even_across.hpp).
-  AdaptiveIntegral<Real, Value> by_two_nodes(double tolerance) {
+  AdaptiveIntegral<Value> by_two_nodes(double tolerance) {
     const EvenAcross<Real> rule(integrand_.aperture());
     const double distance = integrand_.singularity_across();
-    AdaptiveIntegral<Real, Value> result{Value(0), 0, 0, {}};
+    AdaptiveIntegral<Value> result{Value(0), 0, 0};
     std::array<Value, 2> even{};
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& node = rule.nodes()[i];
@@ -137,15 +138,20 @@ class HemisphereQuadrature {
 
   /// Bound on the error of an inner integral.
   template <class Along>
-  static double error_along(const Along& along, const AdaptiveIntegral<Real, Value>& inner) {
+  static double error_along(const Along& along, const AdaptiveIntegral<Value>& inner) {
     const double error = inner.error + inner.noise + static_cast<double>(along.beyond());
     return error <= Integrand::largest_along ? error : Integrand::largest_along;
   }
 
+  /// Of the range of the nodes of a piece.
+  static std::array<Real, 2> middle_and_half(const Piece& piece) {
+    if (piece.symmetry == Symmetry::even) return {Real(0), piece.high};
+    return {(piece.low + piece.high) / Real(2), (piece.high - piece.low) / Real(2)};
+  }
+
   /// The inner integrals at the nodes of an outer rule.
   PieceEstimate<Value> across(const Piece& piece, const Rule& rule) {
-    const Real middle = (piece.low + piece.high) / Real(2);
-    const Real half = (piece.high - piece.low) / Real(2);
+    const auto [middle, half] = middle_and_half(piece);
     SeriesSum<Value, Real> sum;
     double noise = 0;
     for (const auto& node : rule.nodes) {
@@ -163,55 +169,92 @@ class HemisphereQuadrature {
 
   /// The integral over ψ.
   template <class Along>
-  AdaptiveIntegral<Real, Value> integral_along(const Along& along) {
-    const bool kept = !integrand_.is_cut() && !kept_pieces_.empty();
-    auto pieces = kept ? kept_pieces_ : along.pieces();
-    if (!kept)
+  AdaptiveIntegral<Value> integral_along(const Along& along) {
+    std::vector<Piece>& pieces = along_pieces_;
+    if (integrand_.is_cut() || pieces.empty()) {
+      pieces = along.pieces();
       for (std::size_t i = 0; i < pieces.size() && i < kept_orders_.size(); ++i)
         pieces[pieces.size() - 1 - i].order = kept_orders_[i];
+    }
     const std::size_t count = pieces.size();
-    auto result = integrate_adaptively<Real, Value>(
-        std::move(pieces), along_tolerance_, {4, min_series_order, 56},
+    const auto result = integrate_adaptively<Real, Value>(
+        pieces, along_tolerance_, {4, min_series_order, 56},
         [&](const auto& piece, const auto& rule) { return estimate_along(along, piece, rule); },
         [&](const Piece& piece) { return along.halves(piece); }, [&] { return is_exhausted(); });
-    if (!integrand_.is_cut()) {
-      kept_pieces_ = result.pieces;
-    } else if (result.pieces.size() == count) {
+    if (integrand_.is_cut() && pieces.size() == count) {
       kept_orders_.clear();
-      for (auto piece = result.pieces.rbegin(); piece != result.pieces.rend(); ++piece)
+      for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
         kept_orders_.push_back(piece->order);
     }
     return result;
   }
 
+  /// A pack of nodes of an inner rule.
+  struct AlongNode {
+    Reals sine, cosine;  // of ψ
+    Reals weight;        // with cos²ψ
+    std::array<Reals, Rule::terms> projection;
+  };
+
+  /// The nodes of an inner rule on a piece. Where ψ is not cut they serve at all angles across.
+  struct AlongNodes {
+    Piece piece;
+    std::vector<AlongNode> nodes;
+
+    bool are_of(const Piece& other) const {
+      return piece.order == other.order && piece.low == other.low && piece.high == other.high &&
+             piece.symmetry == other.symmetry && piece.variable.draw() == other.variable.draw();
+    }
+  };
+
+  template <class Along>
+  const std::vector<AlongNode>& nodes_along(const Along& along, const Piece& piece, const Rule& rule) {
+    if (integrand_.is_cut()) {
+      fill(scratch_, along, piece, rule);
+      return scratch_;
+    }
+    for (const AlongNodes& kept : kept_nodes_)
+      if (kept.are_of(piece)) return kept.nodes;
+    kept_nodes_.push_back({piece, {}});
+    fill(kept_nodes_.back().nodes, along, piece, rule);
+    return kept_nodes_.back().nodes;
+  }
+
+  template <class Along>
+  void fill(std::vector<AlongNode>& nodes, const Along& along, const Piece& piece, const Rule& rule) const {
+    const auto [middle, half] = middle_and_half(piece);
+    nodes.clear();
+    for (std::size_t start = 0; start < rule.nodes.size(); start += lanes) {
+      AlongNode node;
+      Reals u;
+      for (std::size_t lane = 0; lane < lanes; ++lane) component(u, lane) = rule.nodes[start + lane].x;
+      const auto [x, slope] = piece.variable.at(u);
+      const auto direction = along.direction(Reals(Reals(middle) + half * x));
+      const Reals factor = half * (slope * direction.slope * direction.cosine * direction.cosine);
+      node.sine = direction.sine;
+      node.cosine = direction.cosine;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const auto& at = rule.nodes[start + lane];
+        component(node.weight, lane) = at.weight;
+        for (std::size_t i = 0; i < Rule::terms; ++i) component(node.projection[i], lane) = at.projection[i];
+      }
+      node.weight = factor * node.weight;
+      for (Reals& projection : node.projection) projection = factor * projection;
+      nodes.push_back(node);
+    }
+  }
+
   /// The integrand at the nodes of an inner rule.
   template <class Along>
   PieceEstimate<Value> estimate_along(const Along& along, const Piece& piece, const Rule& rule) {
-    const bool even = piece.symmetry == Symmetry::even;
-    const Real low = even ? Real(-piece.high) : piece.low;
-    const Real middle = (low + piece.high) / Real(2);
-    const Real half = (piece.high - low) / Real(2);
     SeriesSum<Values, Reals> sum;
     double left_out = 0;
-    for (std::size_t start = 0; start < rule.nodes.size(); start += lanes) {
-      Reals sine, cosine, weight;
-      std::array<Reals, Rule::terms> projection;
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const auto& node = rule.nodes[start + lane];
-        const auto [x, slope] = piece.variable.at(node.x);
-        const auto direction = along.direction(middle + half * x);
-        const Real factor = half * slope * direction.slope * direction.cosine * direction.cosine;
-        component(sine, lane) = direction.sine;
-        component(cosine, lane) = direction.cosine;
-        component(weight, lane) = factor * node.weight;
-        for (std::size_t i = 0; i < Rule::terms; ++i)
-          component(projection[i], lane) = factor * node.projection[i];
-      }
+    for (const AlongNode& node : nodes_along(along, piece, rule)) {
       const long long left = std::max(limit_ - evaluations_, 0LL) / static_cast<long long>(2 * lanes);
-      const auto here = along(wide_facet_, sine, cosine, static_cast<int>(left));
-      sum.add(here.value, weight, projection);
+      const auto here = along(wide_facet_, node.sine, node.cosine, static_cast<int>(left));
+      sum.add(here.value, node.weight, node.projection);
       for (std::size_t lane = 0; lane < lanes; ++lane)
-        left_out += static_cast<double>(component(weight, lane) * here.left_out);
+        left_out += static_cast<double>(component(node.weight, lane) * here.left_out);
     }
     return estimate_of(sum, left_out, rule);
   }
@@ -226,7 +269,8 @@ class HemisphereQuadrature {
     return result;
   }
 
-  static Real& component(Reals& values, std::size_t lane) {
+  template <class SomeReals>
+  static auto& component(SomeReals& values, std::size_t lane) {
     if constexpr (in_packs())
       return values[lane];
     else
@@ -253,8 +297,11 @@ class HemisphereQuadrature {
   std::remove_cvref_t<decltype(wide(std::declval<const CountedFacet<Facet>&>()))> wide_facet_;
   double along_tolerance_ = 0;
   Real negligible_{0};
-  std::vector<Piece> kept_pieces_;        // of the last inner integral, where ψ is not cut
+  std::vector<Piece>
+      along_pieces_;  // of the last inner integral; where ψ is not cut the next begins with them
   std::vector<std::size_t> kept_orders_;  // of the last one, from grazing, where it is
+  std::vector<AlongNodes> kept_nodes_;    // of all rules so far, where ψ is not cut
+  std::vector<AlongNode> scratch_;        // of one rule, where it is
 };
 
 }  // namespace vcavity::detail

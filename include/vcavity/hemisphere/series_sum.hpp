@@ -87,8 +87,10 @@ class EndBounces {
     return {reflection(first(ends, m)), m == 1 ? Throughput(1) : reflection(last(ends, m))};
   }
   static Throughput growth(const Step& step) { return step.first * step.last; }
-  static Throughput grown(const Throughput& product, const Step& step) {
-    return step.first * product * step.last;
+  /// The product for m bounces from that for m − 2, which below 1 is none.
+  static Throughput grown(const Throughput& product, const Step& step, int m) {
+    if (m == 1) return step.first;
+    return m == 2 ? Throughput(step.first * step.last) : Throughput(step.first * product * step.last);
   }
   static auto light(const Throughput& product, const Step&) { return unpolarized(power(product)); }
 
@@ -128,7 +130,7 @@ class TurningEndBounces {
     const auto& [first, last] = step;
     return {first.s * last.s, first.s * last.p, first.p * last.s, first.p * last.p};
   }
-  static Throughput grown(const Throughput& product, const Step& step) { return product * growth(step); }
+  static Throughput grown(const Throughput& product, const Step& step, int) { return product * growth(step); }
   static Throughput observed(const Throughput& product, const Step& step) {
     return Reals(step.first.power * step.last.power) * product;
   }
@@ -222,7 +224,7 @@ void follow(const BounceSeries<Real>& series, int m, const Bounces& bounces,
     const auto term = series[m];
     Throughput& product = m % 2 == 1 ? products.of_odd : products.of_even;
     const auto step = bounces.step(term.ends, m);
-    product = Bounces::grown(product, step);
+    product = Bounces::grown(product, step, m);
     result.value = result.value + scaled(term.weight, Bounces::light(product, step));
     if (m % 2 == 1 || m == series.size()) continue;
 
@@ -271,9 +273,10 @@ void follow_fields(const BounceSeries<Real>& series, const EndBounces<Real, Face
   using Fields = value_t<Facet, Reals>;
   using Turning = TurningEndBounces<Real, Facet, Reals>;
   const Turning turning(fields, series);
+  constexpr int few_bounces = 16;  // that are followed as soon as it is known whether they need not be
   int next_try = 2;
   const auto go_on_as_numbers = [&](int m, const SeriesProducts<Fields>& products) {
-    if (!limits.is_smooth || m < next_try) return false;
+    if (!limits.is_smooth || m < next_try || series.size() - m < few_bounces) return false;
     next_try = m + std::max(8, m / 6);
     const SeriesProducts<EndPolarizations<Reals>> light{turning.light_of(products.of_odd, m - 1),
                                                         turning.light_of(products.of_even, m)};

@@ -43,13 +43,11 @@ struct PieceEstimate {
 };
 
 /// An integral by adaptive quadrature.
-template <class Real, class Value>
+template <class Value>
 struct AdaptiveIntegral {
   Value value;
   double error;  ///< estimate, without the noise
   double noise;  ///< error of the values of the integrand, integrated
-  std::vector<QuadraturePiece<Real>>
-      pieces;  ///< as they were in the end: a good start for a similar integrand
 };
 
 /// The orders of the rules for a variable.
@@ -57,13 +55,19 @@ struct QuadratureOrders {
   std::size_t step;      ///< orders are multiples of it, as where nodes come in packs
   std::size_t min, max;  ///< of the first to the last order tried
   double believed = 1;   ///< part of the rate of a piece from which the first order follows
+  double margin =
+      1;  ///< part of the tolerance aimed at: an order that does not quite do costs more than a higher one
 
+  /// The first order tried for an even integrand: fewer terms do not show how its series falls.
+  std::size_t min_even() const {
+    constexpr std::size_t enough = 6;
+    return std::max((enough + step - 1) / step * step, min);
+  }
   /// The number of nodes that bring an error down by a factor.
   /// @param rate per node; a guess stands in for 0
-  /// @param factor of safety on the number of nodes
   std::size_t nodes(double factor, double rate) const {
     constexpr double guess = 1.5;
-    const double order = std::log(1 / std::min(factor, 0.5)) / (rate > 0 ? rate : guess);
+    const double order = std::log(1 / std::min(margin * factor, 0.5)) / (rate > 0 ? rate : guess);
     return step * static_cast<std::size_t>(std::ceil(std::min(order, 1e3) / static_cast<double>(step)));
   }
   /// The next order to try; a little higher where the rate is not known.
@@ -89,7 +93,7 @@ struct SeriesSum {
 };
 
 /// The integral over all pieces.
-/// @param pieces of the range
+/// @param pieces of the range; in the end as they were then, a good start for a similar integrand
 /// @param tolerance absolute error to aim at; what cannot be reached is told in the result
 /// @param orders to try
 /// @param estimate called with a piece and a rule, returns a `PieceEstimate`
@@ -97,10 +101,9 @@ struct SeriesSum {
 /// or none if it cannot be halved
 /// @param exhausted called between rules; true ends the quadrature with what it has
 template <class Real, class Value, class Estimate, class Halves, class Exhausted>
-AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<Real>> pieces,
-                                                   double tolerance, const QuadratureOrders& orders,
-                                                   Estimate&& estimate, Halves&& halves,
-                                                   Exhausted&& exhausted) {
+AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>& pieces, double tolerance,
+                                             const QuadratureOrders& orders, Estimate&& estimate,
+                                             Halves&& halves, Exhausted&& exhausted) {
   struct Work {
     QuadraturePiece<Real> piece;
     PieceEstimate<Value> estimate;
@@ -115,7 +118,7 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   const auto nodes_for = [&](const QuadraturePiece<Real>& piece, double share) {
     return std::max(orders.nodes(share * std::exp2(4 - std::min(piece.decay.multiplicity, 6)),
                                  orders.believed * rate_per_node(piece)),
-                    orders.min);
+                    piece.symmetry == Symmetry::even ? orders.min_even() : orders.min);
   };
   const auto done = [&](QuadraturePiece<Real> piece, double share) {
     if (piece.order == 0) piece.order = nodes_for(piece, share);
@@ -128,6 +131,7 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   };
 
   std::vector<Work> heap;  // the largest error first
+  heap.reserve(pieces.size());
   const double share = tolerance / static_cast<double>(std::max<std::size_t>(pieces.size(), 1));
   double error = 0;
   while (!pieces.empty()) {
@@ -174,12 +178,12 @@ AdaptiveIntegral<Real, Value> integrate_adaptively(std::vector<QuadraturePiece<R
   }
 
   std::sort(heap.begin(), heap.end(), [](const Work& a, const Work& b) { return a.piece.low < b.piece.low; });
-  AdaptiveIntegral<Real, Value> result{Value(0), 0, 0, {}};
+  AdaptiveIntegral<Value> result{Value(0), 0, 0};
   for (const Work& work : heap) {
     result.value = result.value + work.estimate.value;
     result.error += work.error;
     result.noise += work.estimate.noise;
-    result.pieces.push_back(work.piece);
+    pieces.push_back(work.piece);
   }
   return result;
 }

@@ -120,8 +120,9 @@ double series_error(const SeriesRule<Real>& rule, const std::array<double, Serie
   const double missed_degree = rule.exact_degree + 1;
   const auto missed = [&](std::size_t known) {
     const double further = missed_degree - rule.degrees[known];
-    return sizes[known] * std::pow(missed_degree / rule.degrees[known], decay.multiplicity - 1) *
-           std::exp(-rate * further);
+    double size = sizes[known] * std::exp(-rate * further);
+    for (int i = 1; i < decay.multiplicity; ++i) size *= missed_degree / rule.degrees[known];
+    return size;
   };
   return safety * std::max(missed(3), missed(2));  // of what is no number the first stays
 }

@@ -11,15 +11,21 @@
 #include <limits>
 #include <vector>
 
+#include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
 
+/// The larger half axis of the ellipse through z with foci ±1.
+inline double half_axis(const std::complex<double>& z) {
+  return 0.5 * (std::sqrt(std::norm(z - 1.0)) + std::sqrt(std::norm(z + 1.0)));
+}
+
 /// The rate at which a Legendre series on [−1, 1] falls off at least, from one degree to the next, if the
-/// function is singular at z: the sum of the half axes of the ellipse through z with foci ±1 (Trefethen,
-/// "Approximation Theory and Approximation Practice", 2013, chapter 8) is the exponential of the rate.
-inline double convergence_rate(const std::complex<double>& z) {
-  return std::acosh(std::max(0.5 * (std::abs(z - 1.0) + std::abs(z + 1.0)), 1.0));
+/// function is singular on the ellipse with foci ±1 and this larger half axis: its exponential is the sum of both half
+/// axes (Trefethen, "Approximation Theory and Approximation Practice", 2013, chapter 8).
+inline double convergence_rate(double half_axis) {
+  return std::acosh(std::max(half_axis, 1.0));
 }
 
 /// A variable of integration u with x = sin(κπu/2)/sin(κπ/2), both from −1 to 1: the larger κ, the more nodes
@@ -30,20 +36,31 @@ class SineSubstitution {
   explicit SineSubstitution(double draw = 0)
       : draw_(draw), end_(draw > 0 ? std::sin(draw * quarter_turn()) : 1) {}
 
+  /// κ
+  double draw() const { return draw_; }
+
   /// The value x and its derivative dx/du.
-  template <class Real>
-  std::array<Real, 2> at(const Real& u) const {
-    using std::cos;
+  /// @param u in [−1, 1], a number or a pack of them
+  template <class Reals>
+  std::array<Reals, 2> at(const Reals& u) const {
     using std::sin;
-    if (!(draw_ > 0)) return {u, Real(1)};
+    using Real = scalar_t<Reals>;
+    if (!(draw_ > 0)) return {u, Reals(Real(1))};
     const Real factor = Real(draw_) * (pi<Real>() / Real(2));
-    const Real end = sin(factor);
-    return {sin(factor * u) / end, factor * cos(factor * u) / end};
+    const Real scale = draw_ < 1 ? Real(Real(1) / sin(factor)) : Real(1);
+    const auto [sine, cosine] = detail::sine_and_cosine(Reals(factor * u));
+    return {Reals(scale * sine), Reals((scale * factor) * cosine)};
   }
 
   /// The point u of a singularity at x.
   std::complex<double> inverse(const std::complex<double>& x) const {
-    return draw_ > 0 ? std::asin(x * end_) / (draw_ * quarter_turn()) : x;
+    if (!(draw_ > 0)) return x;
+    const std::complex<double> sine = x * end_;
+    const double factor = draw_ * quarter_turn();
+    if (sine.imag() != 0) return std::asin(sine) / factor;
+    const double magnitude = std::abs(sine.real());
+    const double beyond = magnitude > 1 ? std::acosh(magnitude) : 0;
+    return {std::copysign(std::asin(std::min(magnitude, 1.0)), sine.real()) / factor, beyond / factor};
   }
 
  private:
@@ -64,10 +81,10 @@ struct Convergence {
 /// @param singularities in the plane of x; not empty
 inline Convergence convergence_in(const SineSubstitution& variable,
                                   const std::vector<std::complex<double>>& singularities) {
-  double rate = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity();
   for (const std::complex<double>& x : singularities)
-    rate = std::min(rate, convergence_rate(variable.inverse(x)));
-  return {variable, rate};
+    nearest = std::min(nearest, half_axis(variable.inverse(x)));
+  return {variable, convergence_rate(nearest)};
 }
 
 /// The variable in which the series falls off fastest.
