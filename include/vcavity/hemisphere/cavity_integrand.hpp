@@ -33,7 +33,10 @@ class CavityIntegrand {
         facet_(&facet),
         max_bounces_(max_bounces),
         singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
-                       decay_along(cavity)) {}
+                       decay_along(cavity)) {
+    // Grazing light is spread out in vain where it is reflected totally.
+    if (singularities_.total_below() > Real(0)) singularities_.take(AlongVariable::angle);
+  }
 
   /// What the integral with cos²ψ is to be multiplied by.
   Real norm() const { return Real(4) / (pi<Real>() * cavity_->sin_half()); }
@@ -65,6 +68,13 @@ class CavityIntegrand {
     constexpr int many_bounces = 12;
     if (!is_cut()) return 1;
     return cavity_->max_bounces() > many_bounces ? 0.5 : 0.8;
+  }
+
+  /// The highest first order along the groove. Between critical angles there is often so little light that a low one will
+  /// do, next to whatever singularities.
+  std::size_t start_along() const {
+    constexpr std::size_t usual = 12;
+    return singularities_.total_below() > Real(0) ? usual : max_series_order;
   }
 
   /// How much the integral is off because of kinks that `pieces_across` does not cut at.

@@ -101,6 +101,9 @@ class FacetSingularities {
     brewster_ = 1.0 / std::sqrt(2.0 - branch_ * branch_);
   }
 
+  /// Takes another variable along the groove.
+  void take(AlongVariable variable) { variable_ = variable; }
+
   /// Whether there is a critical angle.
   bool is_cut() const { return critical_ > Real(0); }
 

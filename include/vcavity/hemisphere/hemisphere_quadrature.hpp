@@ -79,7 +79,8 @@ class HemisphereQuadrature {
     if (pieces.size() == 1 && integrand_.even_across()) result = by_two_nodes(across_tolerance);
     if (result.error > across_tolerance)
       result = integrate_adaptively<Real, Value>(
-          pieces, across_tolerance, {1, min_series_order, 40, integrand_.believed_across(), margin_across},
+          pieces, across_tolerance,
+          {1, min_series_order, 40, integrand_.believed_across(), max_series_order, margin_across},
           [&](const auto& piece, const auto& rule) { return across(piece, rule); },
           [&](const Piece& piece) { return integrand_.halves_across(piece); },
           [&] { return is_exhausted(); });
@@ -178,7 +179,7 @@ class HemisphereQuadrature {
     }
     const std::size_t count = pieces.size();
     const auto result = integrate_adaptively<Real, Value>(
-        pieces, along_tolerance_, {4, min_series_order, 56},
+        pieces, along_tolerance_, {4, min_series_order, 56, 1, integrand_.start_along()},
         [&](const auto& piece, const auto& rule) { return estimate_along(along, piece, rule); },
         [&](const Piece& piece) { return along.halves(piece); }, [&] { return is_exhausted(); });
     if (integrand_.is_cut() && pieces.size() == count) {

@@ -55,6 +55,8 @@ struct QuadratureOrders {
   std::size_t step;      ///< orders are multiples of it, as where nodes come in packs
   std::size_t min, max;  ///< of the first to the last order tried
   double believed = 1;   ///< part of the rate of a piece from which the first order follows
+  std::size_t start =
+      max_series_order;  ///< highest first order: for where most pieces need less than they might
   double margin =
       1;  ///< part of the tolerance aimed at: an order that does not quite do costs more than a higher one
 
@@ -108,11 +110,15 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
     QuadraturePiece<Real> piece;
     PieceEstimate<Value> estimate;
     double error;
+    double fall;  // of the error with a node, at least as far as is seen
   };
   const auto is_better = [](const Work& a, const Work& b) { return a.error < b.error; };
-  // Degrees that one more node makes exact.
-  const auto rate_per_node = [](const QuadraturePiece<Real>& piece) {
-    return (piece.symmetry == Symmetry::even ? 4 : 2) * piece.decay.rate;
+  // Degrees that one more node resolves; it makes twice as many exact.
+  const auto degrees_per_node = [](const QuadraturePiece<Real>& piece) {
+    return piece.symmetry == Symmetry::even ? 2 : 1;
+  };
+  const auto rate_per_node = [&](const QuadraturePiece<Real>& piece) {
+    return 2 * degrees_per_node(piece) * piece.decay.rate;
   };
   // The nodes that a piece needs by what is known of it.
   const auto nodes_for = [&](const QuadraturePiece<Real>& piece, double share) {
@@ -121,13 +127,16 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
                     piece.symmetry == Symmetry::even ? orders.min_even() : orders.min);
   };
   const auto done = [&](QuadraturePiece<Real> piece, double share) {
-    if (piece.order == 0) piece.order = nodes_for(piece, share);
+    if (piece.order == 0) piece.order = std::min(nodes_for(piece, share), orders.start);
     piece.order = std::clamp(piece.order, orders.min, orders.max);
     const SeriesRule<Real>& rule = piece.symmetry == Symmetry::even
                                        ? series_rule<Real, Symmetry::even>(piece.order)
                                        : series_rule<Real, Symmetry::none>(piece.order);
     const PieceEstimate<Value> result = estimate(piece, rule);
-    return Work{piece, result, series_error(rule, result.sizes, piece.decay, result.series_noise)};
+    const SeriesEstimate series = series_estimate(rule, result.sizes, piece.decay, result.series_noise);
+    constexpr double lasting = 0.8;  // of the fall that is seen
+    return Work{piece, result, series.error,
+                std::max(rate_per_node(piece), lasting * degrees_per_node(piece) * series.fall)};
   };
 
   std::vector<Work> heap;  // the largest error first
@@ -160,7 +169,7 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
     std::vector<QuadraturePiece<Real>> next;
     if (worst.piece.order < orders.max) {
       next.push_back(worst.piece);
-      next.back().order = orders.next(worst.piece.order, aim / worst.error, rate_per_node(worst.piece));
+      next.back().order = orders.next(worst.piece.order, aim / worst.error, worst.fall);
     } else {
       next = halves(worst.piece);
       if (next.empty()) {

@@ -95,6 +95,12 @@ struct SeriesDecay {
       0.4;  ///< part of the observed rate that is believed to last; 1 if all singularities are known
 };
 
+/// What the Legendre series says about a rule.
+struct SeriesEstimate {
+  double error;     ///< absolute; 0 where the series has come down to the noise
+  double fall = 0;  ///< from one more degree resolved to the next the error shrinks by exp(−fall)
+};
+
 /// Estimate of the error of a rule.
 ///
 /// The terms beyond those that the rule resolves continue the fall of the last known ones. Its rate is the
@@ -104,15 +110,15 @@ struct SeriesDecay {
 /// @param sizes of the terms of the rule, as `SeriesRule::projection` adds them up
 /// @param decay what is known of the series
 /// @param noise error of the coefficients, below which they say nothing
-/// @return absolute error; 0 where the series has come down to the noise
 template <class Real>
-double series_error(const SeriesRule<Real>& rule, const std::array<double, SeriesRule<Real>::terms>& sizes,
-                    const SeriesDecay& decay, double noise) {
+SeriesEstimate series_estimate(const SeriesRule<Real>& rule,
+                               const std::array<double, SeriesRule<Real>::terms>& sizes,
+                               const SeriesDecay& decay, double noise) {
   constexpr double safety = 25;  // by trial, over random grooves and facets
   // Either of two neighbours may be small by chance, but hardly both.
   const std::size_t middle = sizes[0] > sizes[1] ? 0 : 1;
   const std::size_t last = sizes[2] > sizes[3] ? 2 : 3;
-  if (sizes[last] <= noise * rule.degrees[last]) return 0;
+  if (sizes[last] <= noise * rule.degrees[last]) return {0};
   const double observed =
       std::max(std::log(sizes[middle] / sizes[last]) / (rule.degrees[last] - rule.degrees[middle]), 0.0);
   const double lasting = decay.trust * observed;
@@ -124,7 +130,8 @@ double series_error(const SeriesRule<Real>& rule, const std::array<double, Serie
     for (int i = 1; i < decay.multiplicity; ++i) size *= missed_degree / rule.degrees[known];
     return size;
   };
-  return safety * std::max(missed(3), missed(2));  // of what is no number the first stays
+  // Of what is no number the first stays. With a degree the last term falls, and another degree is exact.
+  return {safety * std::max(missed(3), missed(2)), observed + rate};
 }
 
 }  // namespace vcavity
