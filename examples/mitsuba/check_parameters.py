@@ -32,6 +32,7 @@ ACCEPTED = [
     {"eta": 1.5},
     {"eta": {"type": "spectrum", "value": 0.2}, "k": {"type": "spectrum", "value": 3.9}, "max_bounces": -1},
     {"material": "Cu", "distribution": "ggx", "roughness": 0.5},
+    {"material": "Cu", "distribution": "ggx", "polarized": True},
     {"material": "Cu", "distribution": "beckmann", "alpha_u": 0.5, "alpha_v": 0.1, "max_bounces": 3},
     {"material": "Cu", "distribution": "brushed", "roughness": {"type": "checkerboard", "color0": 0.1}, "concentration": 0.0},
 ]
@@ -64,7 +65,6 @@ REFUSED = [
     ({"material": "Cu", "distribution": "ggx", "roughness": 0.0}, "roughness must lie in [0.001, 10], not be 0"),
     ({"material": "Cu", "distribution": "brushed", "alpha_u": 0.5, "alpha_v": 0.5}, "brushed takes a roughness"),
     ({"material": "Cu", "distribution": "brushed", "concentration": -1.0}, "concentration"),
-    ({"material": "Cu", "distribution": "ggx", "polarized": True}, "rough surfaces do not follow polarisation"),
     ({"material": "unobtainium"}, "unobtainium"),
     ({"material": "Cu", "apperture": 60.0}, "apperture"),
 ]
@@ -74,6 +74,7 @@ REFUSED = [
 REFUSED_VECTORISED = [
     ({"material": "Cu", "aperture": 1.0}, "an aperture must not be less than 2"),
     ({"material": "Cu", "distribution": "ggx"}, "a distribution needs a scalar variant"),
+    ({"material": "Cu", "distribution": "ggx", "polarized": True}, "do not follow polarisation in vectorised variants"),
 ]
 
 

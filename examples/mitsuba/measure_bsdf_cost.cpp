@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// What calls of `vgroove` cost against those of Mitsuba's `roughconductor`, of the same roughness and material and
-/// through the same interface: prints a Markdown table of nanoseconds and ratios.
+/// through the same interface: prints a Markdown table of nanoseconds and ratios. A second one has parallel grooves whose
+/// aperture or tilt is a texture, so that a groove is made for each point, against those that are the same everywhere.
 ///
 ///     measure_bsdf_cost <folder of Mitsuba's plug-ins' folder> <folder of vgroove's plug-ins' folder>
 ///
@@ -17,6 +18,7 @@
 #include <mitsuba/core/thread.h>
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/interaction.h>
+#include <mitsuba/render/texture.h>
 
 #include <algorithm>
 #include <array>
@@ -137,6 +139,50 @@ void print_row(const std::string& distribution, float roughness, int bounces) {
               our_costs.all / their_costs.all);
 }
 
+/// Parallel grooves; two values for one of their numbers make a texture of it.
+ref<Bsdf> grooves_of(float aperture, bool tilted, const char* textured) {
+  Properties properties("vgroove");
+  properties.set("material", std::string("Ag"));
+  const auto set = [&](const std::string& name, float value) {
+    if (name != textured) {
+      properties.set(name, value);
+      return;
+    }
+    Properties checks("checkerboard");
+    checks.set("color0", value - 5);
+    checks.set("color1", value + 5);
+    auto texture = PluginManager::instance()->create_object<Texture<float, Rgb>>(checks);
+    properties.set(name, ref<Object>(texture.get()));
+  };
+  set("aperture", aperture);
+  if (tilted) set("tilt", 15.f);
+  set("rotation", 30.f);
+  return PluginManager::instance()->create_object<Bsdf>(properties);
+}
+
+void print_texture_row(float aperture, bool tilted, const char* textured) {
+  const ref<Bsdf> constant = grooves_of(aperture, tilted, ""),
+                  varying = grooves_of(aperture, tilted, textured);
+  std::vector<Query> queries = queries_of(*constant);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (Query& query : queries) query.interaction.uv = {unit(random), unit(random)};
+  const BSDFContext context;
+  const auto cost_of = [&](const Bsdf& bsdf) {
+    return nanoseconds(queries, [&](const Query& q) {
+      const auto [sample, weight] = bsdf.sample(context, q.interaction, q.u, q.u2, true);
+      return weight.x() + sample.pdf;
+    });
+  };
+  double once = std::numeric_limits<double>::max(), each = once;
+  for (int run = 0; run < 200; ++run) {
+    once = std::min(once, cost_of(*constant));
+    each = std::min(each, cost_of(*varying));
+  }
+  std::printf("| %.0f°%s | %s | %.0f / %.0f = %.2f |\n", double(aperture), tilted ? ", tilted" : "", textured,
+              each, once, each / once);
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -157,4 +203,11 @@ int main(int argument_count, char** arguments) {
   for (const char* distribution : {"ggx", "beckmann"})
     for (const float roughness : {0.1f, 0.3f, 1.0f})
       for (const int bounces : {1, 8, 32}) print_row(distribution, roughness, bounces);
+
+  std::puts("\n| grooves | texture | sample |");
+  std::puts("|---|---|---|");
+  for (const float aperture : {25.f, 45.f, 60.f, 90.f}) print_texture_row(aperture, false, "aperture");
+  print_texture_row(60, false, "rotation");
+  print_texture_row(60, true, "aperture");
+  print_texture_row(60, true, "tilt");
 }

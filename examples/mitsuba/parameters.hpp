@@ -195,6 +195,9 @@ class GrooveParameters {
   /// Whether grooves of many apertures and directions make the surface, rather than parallel ones.
   bool is_rough() const { return !distribution.empty(); }
 
+  /// Whether fields can be followed through this surface.
+  bool follows_fields() const { return !is_rough() || !dr::is_jit_v<Float>; }
+
   /// What `to_string` says.
   std::string in_words() const {
     std::ostringstream text;
@@ -329,9 +332,11 @@ class GrooveParameters {
       Log(Info, "vgroove: tolerance %g: %s", tolerance, vgroove::described(effects));
       return;
     }
-    effects.polarization = asked == "" ? props.get<bool>("polarized", is_polarized_v<Spectrum> && !is_rough())
-                                       : asked == "full" && !is_rough();
-    if (effects.polarization && is_rough()) Throw("vgroove: rough surfaces do not follow polarisation");
+    effects.polarization = asked == ""
+                               ? props.get<bool>("polarized", is_polarized_v<Spectrum> && follows_fields())
+                               : asked == "full" && follows_fields();
+    if (effects.polarization && !follows_fields())
+      Throw("vgroove: rough surfaces do not follow polarisation in vectorised variants");
     if (max_bounces > 0) effects.max_bounces = max_bounces;
   }
 
@@ -344,7 +349,7 @@ class GrooveParameters {
       Log(Info,
           "vgroove: nothing is left out, because the material or the shape varies in a way not known at "
           "load");
-      effects.polarization = !is_rough();
+      effects.polarization = follows_fields();
       return;
     }
     if (distribution == "ggx") {
@@ -392,9 +397,13 @@ class GrooveParameters {
     if (roughness_u->varies() || roughness_v->varies())
       distributions.push_back(make(roughness_u->range()->high, roughness_v->range()->high));
     constexpr float step_nm = 40;  // each takes a hundred times as long as for parallel grooves
-    effects = vgroove::planned_effects(distributions, materials(step_nm), tolerance, false);
-    if (effects.polarization) {
-      Log(Warn, "vgroove: a tolerance of %g calls for polarisation, which rough surfaces do not follow",
+    effects = vgroove::planned_effects(distributions, materials(step_nm), tolerance,
+                                       is_polarized_v<Spectrum> && follows_fields());
+    if (effects.polarization && !follows_fields()) {
+      Log(Warn,
+          "vgroove: a tolerance of %g calls for polarisation, which rough surfaces do not follow in "
+          "vectorised "
+          "variants",
           tolerance);
       effects.polarization = false;
     }

@@ -14,7 +14,8 @@
 ///  - `groove_axis`  axis of reference in the world, as far as it lies in the surface; ∂p/∂u by default
 ///  - `max_bounces`  light that needs more bounces is lost; −1, the default, follows all
 ///  - `polarized`    whether fields are followed through the groove, or light counts as unpolarised at
-///                   each bounce; true in polarised variants, false, like Mitsuba, in others
+///                   each bounce; true in polarised variants, false, like Mitsuba, in others; rough surfaces in scalar
+///                   variants only
 ///  - `effects`      full: fields and all bounces; paper: no fields, all bounces; auto: what `tolerance` calls for
 ///  - `tolerance`    largest error of the radiance, for light of radiance 1, that may come from what is left out;
 ///                   0.001 by default with effects = auto, which it implies

@@ -6,6 +6,7 @@
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/mueller.h>
 
+#include <concepts>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -58,13 +59,6 @@ struct GrooveAxes {
   }
 };
 
-/// The shape of the surface at a point, and its axes.
-template <class Real, class ShapeType>
-struct Site {
-  ShapeType shape;
-  GrooveAxes<Real> axes;
-};
-
 /// Parallel grooves of one aperture, whose light goes into mirror directions.
 struct Mirrors {
   static constexpr BSDFFlags kind = BSDFFlags::DeltaReflection;
@@ -79,11 +73,17 @@ struct Mirrors {
   /// The shape at a point: one sine and cosine, all other angles are sums.
   template <class Real, class Parameters, class Interaction>
   static vcavity::Cavity<Real> shape_at(const Parameters& parameters, const Interaction& si) {
-    const Real half = vcavity::radians(Real(parameters.aperture.at(si)) / Real(2));
-    return vcavity::Cavity<Real>::from_normal(std::cos(half), std::sin(half));
+    const Real aperture = vcavity::radians(Real(parameters.aperture.at(si)));
+    return vcavity::Cavity<Real>::by_addition(std::min(aperture, vcavity::pi<Real>()));
   }
 
-  template <class Groove, class Facet, class Parameters>
+  template <class Real>
+  static vcavity::Vec3<Real> polarization_axis(const vcavity::Vec3<Real>& k) {
+    return vcavity::polarization_axis(k);
+  }
+
+  /// @param groove a shape, or a function that makes it
+  template <class Real, class Groove, class Facet, class Parameters>
   static auto bsdf(const Groove& groove, const Facet& facet, const Parameters& parameters) {
     return vcavity::GrooveBsdf(groove, facet, vcavity::LobeChoice::by_energy, parameters.effects.max_bounces);
   }
@@ -101,8 +101,7 @@ struct TiltedMirrors : Mirrors {
   static vcavity::AsymmetricGroove<Real> shape_at(const Parameters& parameters, const Interaction& si) {
     const float aperture = std::min(parameters.aperture.at(si), 180 - 4 * Parameters::least_slope);
     const float most = (180 - aperture) / 2 - Parameters::least_slope;
-    const Real half = vcavity::radians(Real(aperture) / Real(2));
-    return {vcavity::Cavity<Real>::from_normal(std::cos(half), std::sin(half)),
+    return {vcavity::Cavity<Real>::by_addition(vcavity::radians(Real(aperture))),
             vcavity::radians(Real(std::clamp(parameters.tilt.at(si), -most, most)))};
   }
 };
@@ -113,10 +112,10 @@ template <class Narrow>
 struct Spread : Narrow {
   static constexpr BSDFFlags kind = BSDFFlags::GlossyReflection;
 
-  template <class Groove, class Facet, class Parameters>
+  template <class Real, class Groove, class Facet, class Parameters>
   static auto bsdf(const Groove& groove, const Facet& facet, const Parameters& parameters) {
-    return vcavity::SpreadGrooveBsdf(Narrow::bsdf(groove, facet, parameters),
-                                     vcavity::scalar_t<Groove>(parameters.lobe_width));
+    return vcavity::SpreadGrooveBsdf(Narrow::template bsdf<Real>(groove, facet, parameters),
+                                     Real(parameters.lobe_width));
   }
 };
 
@@ -124,11 +123,24 @@ struct Spread : Narrow {
 struct Rough {
   static constexpr BSDFFlags kind = BSDFFlags::GlossyReflection;
 
-  template <class Distribution, class Facet, class Parameters>
+  /// The axis a of light that travels along k, see rough/mean_axes.hpp: the mean normal, as far as it is normal to k.
+  template <class Real>
+  static vcavity::Vec3<Real> polarization_axis(const vcavity::Vec3<Real>& k) {
+    const Real across = std::hypot(k.x, k.y);
+    if (!(across > Real(0))) return {Real(1), Real(0), Real(0)};
+    return {-k.z * k.x / across, -k.z * k.y / across, across};
+  }
+
+  /// @param distribution of the slopes, or a function that makes it
+  template <class Real, class Distribution, class Facet, class Parameters>
   static auto bsdf(const Distribution& distribution, const Facet& facet, const Parameters& parameters) {
-    using Bsdf = vcavity::RoughGrooveBsdf<Distribution, Facet>;
-    const int limit = parameters.effects.max_bounces;
-    return Bsdf(distribution, facet, limit == vcavity::all_bounces ? Bsdf::default_max_bounces : limit);
+    if constexpr (std::invocable<Distribution>) {
+      return bsdf<Real>(distribution(), facet, parameters);
+    } else {
+      using Bsdf = vcavity::RoughGrooveBsdf<Distribution, Facet>;
+      const int limit = parameters.effects.max_bounces;
+      return Bsdf(distribution, facet, limit == vcavity::all_bounces ? Bsdf::default_max_bounces : limit);
+    }
   }
 };
 
@@ -180,7 +192,10 @@ class VGroove final : public BSDF<Float, Spectrum> {
   using Parameters = GrooveParameters<Float, Spectrum>;
 
   VGroove(const Properties& props, const Parameters& parameters)
-      : Base(props), parameters_(parameters), uniform_(site_of_all(parameters)) {
+      : Base(props),
+        parameters_(parameters),
+        axes_(rotated(parameters.rotation.constant())),
+        shape_(shape_of_all(parameters)) {
     m_flags = Finish::kind | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
     m_components.push_back(m_flags);
     fit();
@@ -190,9 +205,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
                                            Float u_lobe, const Point2f& u_direction, Mask) const override {
     BSDFSample3f result = dr::zeros<BSDFSample3f>();
     if (!context.is_enabled(Finish::kind)) return {result, 0.f};
-    decltype(auto) site = site_at(si);
-    const Vector wo = site.axes.to_groove(vector(si.wi));
-    const auto drawn = with_bsdf(si, site, [&](const auto& bsdf) {
+    const Axes axes = axes_at(si);
+    const Vector wo = axes.to_groove(vector(si.wi));
+    const auto drawn = with_bsdf(si, [&](const auto& bsdf) {
       const Real u(u_lobe);
       if constexpr (discrete)
         return bsdf.sample(wo, u, transport(context));
@@ -200,12 +215,12 @@ class VGroove final : public BSDF<Float, Spectrum> {
         return bsdf.sample(wo, u, {Real(u_direction.x()), Real(u_direction.y())}, transport(context));
     });
     if (!drawn) return {result, 0.f};
-    result.wo = vector(site.axes.from_groove(drawn->direction));
+    result.wo = vector(axes.from_groove(drawn->direction));
     result.pdf = static_cast<float>(drawn->probability);
     result.eta = 1.f;
     result.sampled_type = +Finish::kind;
     result.sampled_component = 0;
-    return {result, spectrum(drawn->weight, site.axes, wo, drawn->direction, transport(context))};
+    return {result, spectrum(drawn->weight, axes, wo, drawn->direction, transport(context))};
   }
 
   Spectrum eval(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wi,
@@ -214,14 +229,12 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return 0.f;
     } else {
       if (!context.is_enabled(Finish::kind)) return 0.f;
-      decltype(auto) site = site_at(si);
-      const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
-                   wi_groove = site.axes.to_groove(vector(wi));
-      return spectrum(with_bsdf(si, site,
-                                [&](const auto& bsdf) {
-                                  return bsdf.evaluate(wo_groove, wi_groove, transport(context));
-                                }),
-                      site.axes, wo_groove, wi_groove, transport(context));
+      const Axes axes = axes_at(si);
+      const Vector wo_groove = axes.to_groove(vector(si.wi)), wi_groove = axes.to_groove(vector(wi));
+      return spectrum(
+          with_bsdf(
+              si, [&](const auto& bsdf) { return bsdf.evaluate(wo_groove, wi_groove, transport(context)); }),
+          axes, wo_groove, wi_groove, transport(context));
     }
   }
 
@@ -231,9 +244,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return 0.f;
     } else {
       if (!context.is_enabled(Finish::kind)) return 0.f;
-      decltype(auto) site = site_at(si);
-      return static_cast<float>(with_bsdf(si, site, [&](const auto& bsdf) {
-        return bsdf.pdf(site.axes.to_groove(vector(si.wi)), site.axes.to_groove(vector(wi)));
+      const Axes axes = axes_at(si);
+      return static_cast<float>(with_bsdf(si, [&](const auto& bsdf) {
+        return bsdf.pdf(axes.to_groove(vector(si.wi)), axes.to_groove(vector(wi)));
       }));
     }
   }
@@ -242,13 +255,12 @@ class VGroove final : public BSDF<Float, Spectrum> {
                                       const Vector3f& wi, Mask active) const override {
     if constexpr (std::is_base_of_v<Rough, Finish>) {
       if (!context.is_enabled(Finish::kind)) return {0.f, 0.f};
-      decltype(auto) site = site_at(si);
-      const Vector wo_groove = site.axes.to_groove(vector(si.wi)),
-                   wi_groove = site.axes.to_groove(vector(wi));
-      const auto both = with_bsdf(si, site, [&](const auto& bsdf) {
+      const Axes axes = axes_at(si);
+      const Vector wo_groove = axes.to_groove(vector(si.wi)), wi_groove = axes.to_groove(vector(wi));
+      const auto both = with_bsdf(si, [&](const auto& bsdf) {
         return bsdf.evaluate_with_pdf(wo_groove, wi_groove, transport(context));
       });
-      return {spectrum(both.value, site.axes, wo_groove, wi_groove, transport(context)),
+      return {spectrum(both.value, axes, wo_groove, wi_groove, transport(context)),
               static_cast<float>(both.pdf)};
     } else {
       return {eval(context, si, wi, active), pdf(context, si, wi, active)};
@@ -291,29 +303,22 @@ class VGroove final : public BSDF<Float, Spectrum> {
     return {std::cos(rotation), std::sin(rotation)};
   }
 
-  static auto uniform_site(const Parameters& parameters) {
-    auto shape = Finish::template shape<Real>(parameters);
-    return Site<Real, decltype(shape)>{std::move(shape), rotated(parameters.rotation.constant())};
-  }
-
-  using Place = decltype(uniform_site(std::declval<const Parameters&>()));
-
-  /// The site of all points, if there is one.
-  static auto site_of_all([[maybe_unused]] const Parameters& parameters) {
+  /// The shape of all points, if there is one.
+  static auto shape_of_all([[maybe_unused]] const Parameters& parameters) {
     if constexpr (Variation::varies)
       return std::nullopt;
     else
-      return uniform_site(parameters);
+      return Finish::template shape<Real>(parameters);
   }
 
-  decltype(auto) site_at(const SurfaceInteraction3f& si) const {
-    if constexpr (Variation::varies)
-      return Place{Finish::template shape_at<Real>(parameters_, si), axes_at(si)};
+  Axes axes_at([[maybe_unused]] const SurfaceInteraction3f& si) const {
+    if constexpr (!Variation::varies)
+      return axes_;
     else
-      return static_cast<const Place&>(uniform_);
+      return varying_axes_at(si);
   }
 
-  Axes axes_at(const SurfaceInteraction3f& si) const {
+  Axes varying_axes_at(const SurfaceInteraction3f& si) const {
     const Axes axes = rotated(parameters_.rotation.at(si));
     if (!parameters_.axis) return axes;
     const Vector3f axis = si.to_local(*parameters_.axis);
@@ -341,11 +346,15 @@ class VGroove final : public BSDF<Float, Spectrum> {
       return conductor;
   }
 
-  auto bsdf_at(const SurfaceInteraction3f& si, const Place& site) const {
-    if constexpr (Effect::polarization)
-      return Finish::bsdf(site.shape, vcavity::polarized(facet_at(si)), parameters_);
-    else
-      return Finish::bsdf(site.shape, facet_at(si), parameters_);
+  /// The BSDF of a point, whose facets are given.
+  template <class Facet>
+  auto bsdf_at([[maybe_unused]] const SurfaceInteraction3f& si, const Facet& facet) const {
+    if constexpr (Variation::varies) {
+      const auto make = [&] { return Finish::template shape_at<Real>(parameters_, si); };
+      return Finish::template bsdf<Real>(make, facet, parameters_);
+    } else {
+      return Finish::template bsdf<Real>(shape_, facet, parameters_);
+    }
   }
 
   using FittedFacet = vcavity::RationalFacet<Values>;
@@ -367,9 +376,9 @@ class VGroove final : public BSDF<Float, Spectrum> {
       if constexpr (Variation::varies)
         fitted_.emplace(facet);
       else if constexpr (Variation::tinted)
-        fitted_.emplace(Finish::bsdf(uniform_.shape, facet.dimmed(tint_at(si)), parameters_));
+        fitted_.emplace(bsdf_at(si, facet.dimmed(tint_at(si))));
       else
-        fitted_.emplace(Finish::bsdf(uniform_.shape, facet, parameters_));
+        fitted_.emplace(bsdf_at(si, facet));
     }
   }
 
@@ -380,24 +389,26 @@ class VGroove final : public BSDF<Float, Spectrum> {
     else if constexpr (Variation::varies)
       return std::optional<FittedFacet>();
     else
-      return std::optional<decltype(Finish::bsdf(std::declval<const Place&>().shape,
-                                                 std::declval<const FittedFacet&>(),
-                                                 std::declval<const Parameters&>()))>();
+      return std::optional<decltype(Finish::template bsdf<Real>(
+          std::declval<const decltype(shape_of_all(std::declval<const Parameters&>()))&>(),
+          std::declval<const FittedFacet&>(), std::declval<const Parameters&>()))>();
   }
 
   /// Calls `use` with the BSDF at a point.
   template <class Use>
-  auto with_bsdf(const SurfaceInteraction3f& si, const Place& site, const Use& use) const {
+  auto with_bsdf(const SurfaceInteraction3f& si, const Use& use) const {
     if constexpr (may_be_fitted) {
       if (fitted_) {
         if constexpr (Variation::varies)
-          return use(Finish::bsdf(site.shape, parameters_.tinted ? fitted_->dimmed(tint_at(si)) : *fitted_,
-                                  parameters_));
+          return use(bsdf_at(si, parameters_.tinted ? fitted_->dimmed(tint_at(si)) : *fitted_));
         else
           return use(*fitted_);
       }
     }
-    return use(bsdf_at(si, site));
+    if constexpr (Effect::polarization)
+      return use(bsdf_at(si, vcavity::polarized(facet_at(si))));
+    else
+      return use(bsdf_at(si, facet_at(si)));
   }
 
   /// A weight of unpolarised light.
@@ -420,15 +431,16 @@ class VGroove final : public BSDF<Float, Spectrum> {
       const auto shading = [&axes](const Vector& v) { return vector(axes.from_groove(v)); };
       const Vector3f forward_in = shading(in), forward_out = shading(out);
       return mueller::rotate_mueller_basis(
-          result, forward_in, shading(vcavity::polarization_axis(in)), mueller::stokes_basis(forward_in),
-          forward_out, shading(vcavity::polarization_axis(out)), mueller::stokes_basis(forward_out));
+          result, forward_in, shading(Finish::polarization_axis(in)), mueller::stokes_basis(forward_in),
+          forward_out, shading(Finish::polarization_axis(out)), mueller::stokes_basis(forward_out));
     } else {
       return vgroove::to_spectrum<UnpolarizedSpectrum>(unpolarized(weight));
     }
   }
 
   Parameters parameters_;
-  decltype(site_of_all(std::declval<const Parameters&>())) uniform_;
+  Axes axes_;  // where they are the same everywhere
+  decltype(shape_of_all(std::declval<const Parameters&>())) shape_;
   decltype(nothing_fitted()) fitted_ = nothing_fitted();
 };
 
@@ -444,8 +456,7 @@ auto with_types(const GrooveParameters<Float, Spectrum>& parameters, Use&& use) 
     return parameters.tilted ? spread(effect, variation, TiltedMirrors{})
                              : spread(effect, variation, Mirrors{});
   };
-  const auto rough = [&]<class Real, class Variation>(Real, Variation variation) {
-    constexpr Following<Real, false> effect;
+  const auto rough = [&](auto effect, auto variation) {
     if (parameters.distribution == "ggx") return use(effect, variation, RoughOf<MakeGgx>{});
     if (parameters.distribution == "beckmann") return use(effect, variation, RoughOf<MakeBeckmann>{});
     return use(effect, variation, RoughOf<MakeBrushed>{});
@@ -456,7 +467,9 @@ auto with_types(const GrooveParameters<Float, Spectrum>& parameters, Use&& use) 
   };
   const auto varied = [&](auto variation) {
     // Plans of rough surfaces never ask for double precision.
-    if (parameters.is_rough()) return rough(float{}, variation);
+    if (parameters.is_rough())
+      return parameters.effects.polarization ? rough(Following<float, true>{}, variation)
+                                             : rough(Following<float, false>{}, variation);
     return parameters.effects.double_precision ? grooved(double{}, variation) : grooved(float{}, variation);
   };
   if (parameters.varies() || parameters.tint_varies()) return varied(Varying{});

@@ -116,6 +116,31 @@ TEMPLATE_LIST_TEST_CASE("a groove of given facets is that of their aperture, to 
   CHECK(worst < 1);
 }
 
+TEMPLATE_LIST_TEST_CASE("multiples of an aperture that are added up are those of its sines", "",
+                        HardwareReals) {
+  using Real = TestType;
+  double worst = 0;
+  for (int i = 1; i <= 2000; ++i) {
+    const Real aperture = pi<Real>() * Real(i) / Real(2000);
+    const Cavity<Real> expected(aperture), cavity = Cavity<Real>::by_addition(aperture);
+    CAPTURE(i);
+    CHECK(cavity.aperture() == expected.aperture());
+    CHECK(cavity.max_bounces() == expected.max_bounces());
+    CHECK(cavity.multiples().tabulated() == expected.multiples().tabulated());
+    CHECK(cavity.inverse_sin_half() == expected.inverse_sin_half());
+    CHECK(error_in_epsilons(cavity.versine_half(), Digits50(expected.versine_half())) < 8);
+    const Digits50 half = Digits50(aperture) / 2;
+    for (int k = 2; k <= cavity.multiples().tabulated(); ++k) {
+      const auto turn = cavity.multiple(k);
+      worst = std::max({worst, error_in_epsilons(turn.sine, Digits50(sin(Digits50(k * half))), 1) / k,
+                        error_in_epsilons(turn.cosine, Digits50(cos(Digits50(k * half))), 1) / k});
+    }
+  }
+  CAPTURE(worst);
+  CHECK(worst < 1);
+  CHECK_THROWS_AS(Cavity<Real>::by_addition(Real(0)), std::invalid_argument);
+}
+
 TEMPLATE_LIST_TEST_CASE("facets at an angle of π/k bounce light at most k times", "", HardwareReals) {
   using Real = TestType;
   for (int k = 1; k <= 1000; ++k) {

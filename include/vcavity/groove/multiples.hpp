@@ -49,6 +49,24 @@ class HalfApertureMultiples {
     }
   }
 
+  /// The same by the addition theorem, of a known angle.
+  /// @param aperture α, in (0, π]
+  /// @param half cosine and sine of α/2
+  /// @param max_bounces of any ray
+  /// @return as many multiples, each wrong by less than an ε more than the one before
+  static HalfApertureMultiples by_addition(const Real& aperture, const Rotation<Real>& half,
+                                           int max_bounces) {
+    HalfApertureMultiples result(aperture, needed(max_bounces));
+    result.begin(half);
+    result.max_bounces_ = max_bounces;
+    // Their number is odd: see `needed`.
+    for (std::size_t k = 1; 2 * k < static_cast<std::size_t>(result.tabulated_); ++k) {
+      result.add(k, k);
+      result.add(k, k + 1);
+    }
+    return result;
+  }
+
   /// The same by the addition theorem, without trigonometric functions; the angle is known only where it is asked
   /// for. Enough for all bounces if `max_bounces` is not 0.
   /// @param half cosine and sine of α/2
@@ -101,6 +119,8 @@ class HalfApertureMultiples {
   static int needed(int max_bounces) {
     return max_bounces < max_tabulated / 2 ? 2 * max_bounces + 1 : max_tabulated;
   }
+
+  HalfApertureMultiples(const Real& aperture, int tabulated) : aperture_(aperture), tabulated_(tabulated) {}
 
   void begin(const Rotation<Real>& half) {
     table_[0] = {Real(1), Real(0)};

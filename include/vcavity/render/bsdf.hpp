@@ -18,8 +18,10 @@
 /// no direction that it returns lies below the horizon. For lobes of finite width see `spread_bsdf.hpp`.
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "vcavity/groove/lobes.hpp"
 #include "vcavity/groove/ray.hpp"
@@ -113,6 +115,15 @@ class GrooveBsdf {
              int max_bounces = all_bounces)
       : groove_(groove), facet_(facet), choice_(choice), max_bounces_(max_bounces) {}
 
+  /// The same of a groove that is made in its place, for renderers that make one for every point: copying one that has
+  /// just been made takes as long as making it.
+  /// @param make_groove called once, without arguments
+  template <class MakeGroove>
+    requires std::same_as<std::invoke_result_t<const MakeGroove&>, Groove>
+  GrooveBsdf(const MakeGroove& make_groove, const Facet& facet, LobeChoice choice = LobeChoice::by_energy,
+             int max_bounces = all_bounces)
+      : groove_(make_groove()), facet_(facet), choice_(choice), max_bounces_(max_bounces) {}
+
   /// The complete BSDF of a direction: at most `max_lobes` of the groove; none below the horizon.
   /// @param wo unit vector away from the surface, where the light of the throughputs comes from
   Lobes<Real, Throughput, Groove::max_lobes> lobes(const Vec3<Real>& wo) const {
@@ -200,5 +211,8 @@ class GrooveBsdf {
 template <class Groove, class Facet>
 GrooveBsdf(const Groove&, const Facet&, LobeChoice = LobeChoice::by_energy, int = all_bounces)
     -> GrooveBsdf<scalar_t<Groove>, Facet, Groove>;
+template <std::invocable MakeGroove, class Facet>
+GrooveBsdf(const MakeGroove&, const Facet&, LobeChoice = LobeChoice::by_energy, int = all_bounces)
+    -> GrooveBsdf<scalar_t<std::invoke_result_t<MakeGroove>>, Facet, std::invoke_result_t<MakeGroove>>;
 
 }  // namespace vcavity
