@@ -27,6 +27,16 @@ CASES = [
     ("copper-like, 60°", {"aperture": 60.0}, "k", 0.1),
     ("tinted, 45°", {"aperture": 45.0, "specular_reflectance": {"type": "uniform", "value": 0.7}},
      "specular_reflectance", 0.02),
+    ("GGX 0.4", {"distribution": "ggx", "roughness": 0.4}, "roughness", 0.02),
+    ("Beckmann 0.6", {"distribution": "beckmann", "roughness": 0.6}, "roughness", 0.02),
+    ("GGX 0.2 across 0.7", {"distribution": "ggx", "alpha_u": 0.2, "alpha_v": 0.7}, "alpha_v", 0.03),
+    ("GGX 0.2 across 0.7, turned by 30°", {"distribution": "ggx", "alpha_u": 0.2, "alpha_v": 0.7, "rotation": 30.0},
+     "rotation", 1.0),
+    ("brushed 0.5", {"distribution": "brushed", "roughness": 0.5, "concentration": 20.0}, "roughness", 0.03),
+    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "eta", 0.03),
+    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "k", 0.1),
+    ("tinted, GGX 0.8", {"distribution": "ggx", "roughness": 0.8,
+                         "specular_reflectance": {"type": "uniform", "value": 0.7}}, "specular_reflectance", 0.02),
 ]
 INDEX = {"eta": {"type": "uniform", "value": 0.6}, "k": {"type": "uniform", "value": 2.6}}
 SEEDS = 8

@@ -70,6 +70,25 @@ struct Lanes {
     return Array(drjit::select(mask.mask, a.array, b.array));
   }
 
+  /// An array of numbers is the only component of its value.
+  Lanes& operator[](std::size_t)
+    requires is_number
+  {
+    return *this;
+  }
+  const Lanes& operator[](std::size_t) const
+    requires is_number
+  {
+    return *this;
+  }
+  friend constexpr std::size_t component_count(const Lanes&)
+    requires is_number
+  {
+    return 1;
+  }
+
+  static Lanes pi() { return Lanes(drjit::Pi<float>); }
+
   friend Lanes sqrt(const Lanes& a) { return drjit::sqrt(a.array); }
   friend Lanes magnitude(const Lanes& a) { return drjit::abs(a.array); }
   friend Lanes at_least(const Lanes& a, const Lanes& floor) { return drjit::maximum(a.array, floor.array); }
@@ -79,6 +98,9 @@ struct Lanes {
   friend Lanes exp(const Lanes& a) { return drjit::exp(a.array); }
   friend Lanes sin(const Lanes& a) { return drjit::sin(a.array); }
   friend Lanes cos(const Lanes& a) { return drjit::cos(a.array); }
+  friend Lanes log(const Lanes& a) { return drjit::log(a.array); }
+  friend Lanes floor(const Lanes& a) { return drjit::floor(a.array); }
+  friend Lanes abs(const Lanes& a) { return drjit::abs(a.array); }
   friend Lanes log1p(const Lanes& a) { return drjit::log(1.f + a.array); }
   friend value_type largest(const Lanes& a) {
     if constexpr (is_number)
@@ -101,6 +123,10 @@ struct std::numeric_limits<vgroove::Lanes<Array>> {
 };
 
 namespace vcavity {
+
+/// Single precision: short polynomials will do for acute angles.
+template <class Array>
+inline constexpr bool detail::has_short_series<vgroove::Lanes<Array>> = true;
 
 /// Grooves of as many apertures as an array has entries, through which derivatives pass. It stands in for `Cavity` where
 /// the headers want one, with the same members.

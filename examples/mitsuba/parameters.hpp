@@ -238,6 +238,10 @@ class GrooveParameters {
     aperture.look_again();
     tilt.look_again();
     rotation.look_again();
+    if (is_rough()) {
+      roughness_u->look_again();
+      roughness_v->look_again();
+    }
     check_tilt();
   }
 
@@ -254,7 +258,8 @@ class GrooveParameters {
   std::optional<Vector3f> axis;
   std::string distribution;  ///< ggx, beckmann, brushed; empty for parallel grooves
   std::optional<Number> roughness_u, roughness_v;
-  float concentration = 0;  ///< of the azimuths of brushed grooves
+  bool anisotropic = false;  ///< whether they are two, alpha_u and alpha_v
+  float concentration = 0;   ///< of the azimuths of brushed grooves
   ref<Texture> eta, k, tint;
   bool tinted;       ///< whether `tint` may differ from 1
   float lobe_width;  ///< radians; 0 for mirror directions
@@ -303,6 +308,7 @@ class GrooveParameters {
       Throw("vgroove: give either a roughness or both alpha_u and alpha_v");
     if (two && distribution == "brushed")
       Throw("vgroove: brushed takes a roughness, not alpha_u and alpha_v");
+    anisotropic = two;
     constexpr typename Number::Range allowed{1e-3, 10};
     roughness_u.emplace(props, two ? "alpha_u" : "roughness", 0.3f, allowed, allowed.low);
     roughness_v.emplace(props, two ? "alpha_v" : "roughness", 0.3f, allowed, allowed.low);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vcavity/vcavity.hpp>
 
 namespace vgroove {
@@ -65,10 +66,10 @@ vcavity::Conductor<Values<Real, UnpolarizedSpectrum>> conductor(const Unpolarize
   return {n_values, k_values};
 }
 
-/// The same for the arrays of a vectorised variant.
+/// n and k of such a facet, for the arrays of a vectorised variant.
 /// @tparam Values of vcavity, one component per colour or wavelength, each an array
 template <class Values, class UnpolarizedSpectrum>
-vcavity::Conductor<Values> conductor_of_lanes(const UnpolarizedSpectrum& eta, const UnpolarizedSpectrum& k) {
+std::pair<Values, Values> index_of_lanes(const UnpolarizedSpectrum& eta, const UnpolarizedSpectrum& k) {
   const auto within = [](const UnpolarizedSpectrum& x) -> UnpolarizedSpectrum {
     return drjit::select(drjit::isnan(x), 0.f, drjit::minimum(drjit::abs(x), Index::largest));
   };

@@ -20,24 +20,22 @@
 #include <vcavity/vcavity.hpp>
 
 #include "lanes.hpp"
-#include "parameters.hpp"
+#include "lanes_bsdf.hpp"
 #include "spectra.hpp"
 
 NAMESPACE_BEGIN(mitsuba)
 
 template <typename Float, typename Spectrum>
-class VGrooveLanes final : public BSDF<Float, Spectrum> {
+class VGrooveLanes final : public LanesBsdf<Float, Spectrum> {
  public:
-  MI_IMPORT_BASE(BSDF, m_flags, m_components)
-  MI_IMPORT_TYPES(Texture)
-  using Parameters = GrooveParameters<Float, Spectrum>;
+  MI_IMPORT_BASE(LanesBsdf, parameters_, kind_, axes_at, index_at, tint_at, vector)
+  MI_IMPORT_TYPES()
+  using typename Base::Axes, typename Base::Parameters;
+  using typename Base::Real, typename Base::Values, typename Base::Vector;
 
-  VGrooveLanes(const Properties& props, const Parameters& parameters) : Base(props), parameters_(parameters) {
-    if (parameters_.is_rough())
-      Throw("vgroove: a distribution needs a scalar variant; %s has parallel grooves only", Base::Variant);
-    kind_ = is_discrete() ? BSDFFlags::DeltaReflection : BSDFFlags::GlossyReflection;
-    m_flags = kind_ | BSDFFlags::Anisotropic | BSDFFlags::FrontSide;
-    m_components.push_back(m_flags);
+  VGrooveLanes(const Properties& props, const Parameters& parameters)
+      : Base(props, parameters,
+             parameters.lobe_width > 0 ? BSDFFlags::GlossyReflection : BSDFFlags::DeltaReflection) {
     bound_bounces();
   }
 
@@ -49,11 +47,6 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
         return sample_of(facet, seen, context, si, u_lobe, u_direction, active);
       });
     });
-  }
-
-  Spectrum eval(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wi,
-                Mask active) const override {
-    return eval_pdf(context, si, wi, active).first;
   }
 
   Float pdf(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wi,
@@ -82,39 +75,17 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
     // A change of the aperture moves the directions of mirrors, and of what is seen in them.
     callback->put("aperture", parameters_.aperture.texture(), ParamFlags::Differentiable);
     if (parameters_.tilted) callback->put("tilt", parameters_.tilt.texture(), ParamFlags::Differentiable);
-    callback->put("rotation", parameters_.rotation.texture(), ParamFlags::Differentiable);
-    callback->put("eta", parameters_.eta, ParamFlags::Differentiable);
-    callback->put("k", parameters_.k, ParamFlags::Differentiable);
-    callback->put("specular_reflectance", parameters_.tint, ParamFlags::Differentiable);
+    Base::traverse(callback);
   }
 
   void parameters_changed(const std::vector<std::string>& keys) override {
-    parameters_.look_again();
-    bound_bounces();
     Base::parameters_changed(keys);
+    bound_bounces();
   }
-
-  std::string to_string() const override { return parameters_.in_words(); }
 
   MI_DECLARE_CLASS(VGrooveLanes)
 
  private:
-  using Real = vgroove::Lanes<Float>;
-  using Values = vgroove::Lanes<UnpolarizedSpectrum>;
-  using Vector = vcavity::Vec3<Real>;
-
-  /// Axes of the grooves in the shading frame: x runs along them.
-  struct Axes {
-    Float cosine, sine;
-
-    Vector to_groove(const Vector& v) const {
-      return {Real(cosine * v.x.array + sine * v.y.array), Real(cosine * v.y.array - sine * v.x.array), v.z};
-    }
-    Vector from_groove(const Vector& v) const {
-      return {Real(cosine * v.x.array - sine * v.y.array), Real(cosine * v.y.array + sine * v.x.array), v.z};
-    }
-  };
-
   /// What is seen at a point from a direction.
   template <class Groove>
   struct Seen {
@@ -129,9 +100,6 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
 
   bool is_discrete() const { return !(parameters_.lobe_width > 0); }
 
-  static Vector vector(const Vector3f& v) { return {Real(v.x()), Real(v.y()), Real(v.z())}; }
-  static Vector3f vector(const Vector& v) { return {v.x.array, v.y.array, v.z.array}; }
-
   /// So many bounces are followed as the narrowest groove has at most.
   void bound_bounces() {
     const auto& range = parameters_.aperture.range();
@@ -142,19 +110,6 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
           "%g",
           Base::Variant, narrowest_aperture, narrowest);
     max_bounces_ = vcavity::Cavity<double>(vcavity::radians(narrowest)).max_bounces();
-  }
-
-  Axes axes_at(const SurfaceInteraction3f& si, Mask active) const {
-    const auto [sine, cosine] = dr::sincos(dr::deg_to_rad(parameters_.rotation.at(si, active)));
-    const Axes axes{cosine, sine};
-    if (!parameters_.axis) return axes;
-    const Vector3f axis = si.to_local(*parameters_.axis);
-    const Float length = dr::sqrt(axis.x() * axis.x() + axis.y() * axis.y());
-    // An axis along the normal marks no direction on the surface; ∂p/∂u serves.
-    constexpr float shortest = 1e-6f;
-    const Mask marks = length > shortest;
-    const Float x = dr::select(marks, axis.x() / length, 1.f), y = dr::select(marks, axis.y() / length, 0.f);
-    return {axes.cosine * x - axes.sine * y, axes.sine * x + axes.cosine * y};
   }
 
   /// Calls `use` with what is seen at a point.
@@ -179,12 +134,11 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   /// Calls `use` with the facet of a point.
   template <class Use>
   auto with_facet(const SurfaceInteraction3f& si, Mask active, Use&& use) const {
-    const auto conductor = vgroove::conductor_of_lanes<Values>(parameters_.eta->eval(si, active),
-                                                               parameters_.k->eval(si, active));
-    const Values tint = UnpolarizedSpectrum(dr::clip(parameters_.tint->eval(si, active), 0.f, 1.f));
+    const auto [n, k] = index_at(si, active);
+    const vcavity::Conductor<Values> conductor(n, k);
     if (!parameters_.tinted)
       return parameters_.effects.polarization ? use(vcavity::polarized(conductor)) : use(conductor);
-    const vgroove::Tinted tinted(conductor, tint);
+    const vgroove::Tinted tinted(conductor, tint_at(si, active));
     return parameters_.effects.polarization ? use(vcavity::polarized(tinted)) : use(tinted);
   }
 
@@ -300,8 +254,6 @@ class VGrooveLanes final : public BSDF<Float, Spectrum> {
   /// More bounces make kernels that take long to compile.
   static constexpr double narrowest_aperture = 2;  // degrees
 
-  Parameters parameters_;
-  BSDFFlags kind_;
   int max_bounces_;
 };
 

@@ -2,6 +2,7 @@
 
 /// Registers the vectorised variants of `vgroove` that run on processors through LLVM.
 
+#include "make_rough_lanes.hpp"
 #include "register.hpp"
 #include "vgroove_lanes.hpp"
 
@@ -10,8 +11,9 @@ void vgroove::register_llvm_variants(std::string_view name, mitsuba::PluginRegis
   const auto add = [&]<typename Float, typename Spectrum>(std::type_identity<BSDF<Float, Spectrum>>) {
     register_plugin(name, BSDF<Float, Spectrum>::Variant, ObjectType::BSDF,
                     [](void*, const Properties& props) -> ref<Object> {
-                      return new VGrooveLanes<Float, Spectrum>(props,
-                                                               GrooveParameters<Float, Spectrum>(props));
+                      const GrooveParameters<Float, Spectrum> parameters(props);
+                      if (parameters.is_rough()) return make_rough_lanes(props, parameters);
+                      return new VGrooveLanes<Float, Spectrum>(props, parameters);
                     });
   };
   using Float = drjit::DiffArray<JitBackend::LLVM, float>;

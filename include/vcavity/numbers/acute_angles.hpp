@@ -61,9 +61,9 @@ VCAVITY_INLINE Value acute_cosine(const Value& x) {
 }
 
 /// The angle in a right-angled triangle, arctan(opposite/adjacent).
-/// @param opposite, adjacent numbers ≥ 0, not both 0
+/// @param opposite, adjacent numbers ≥ 0, or arrays of them, not both 0
 /// @return in [0, π/2]
-template <Number Real>
+template <class Real>
 VCAVITY_INLINE Real acute_angle(const Real& opposite, const Real& adjacent) {
   if constexpr (has_short_series<Real>) {
     constexpr std::array series{0.999999985f,   -0.333330733f, 0.199926194f,   -0.142036444f, 0.106409337f,
@@ -71,8 +71,8 @@ VCAVITY_INLINE Real acute_angle(const Real& opposite, const Real& adjacent) {
     // Of the angle and its complement the smaller one; no branch, since half of all angles would take it.
     const Real slope = at_most(opposite, adjacent) / at_least(opposite, adjacent);
     const Real angle = slope * polynomial(series, Real(slope * slope));
-    const Real is_steep(adjacent < opposite);
-    return angle + is_steep * (pi<Real>() / 2 - 2 * angle);
+    const Real is_steep = select(adjacent < opposite, Real(1), Real(0));
+    return angle + is_steep * (pi<Real>() / Real(2) - Real(2) * angle);
   } else {
     using std::atan2;
     return atan2(opposite, adjacent);
@@ -89,12 +89,12 @@ struct Elevation {
 
 /// The elevation of a vector in the plane above the side of positive `along`.
 /// @param up ≥ 0, and not 0 if `along` is
-template <Number Real>
+template <class Real>
 VCAVITY_INLINE Elevation<Real> elevation_of(const Real& along, const Real& up) {
   const Real low = acute_angle(up, magnitude(along));
   const Real high = pi<Real>() - low;
   // By products with 0 and 1: no branch, and no digit lost.
-  const Real behind(along < Real(0) ? 1 : 0), before = Real(1) - behind;
+  const Real behind = select(along < Real(0), Real(1), Real(0)), before = Real(1) - behind;
   return {before * low + behind * high, before * high + behind * low};
 }
 
@@ -106,9 +106,9 @@ struct PlaneDirection {
 
 /// cos 2πu and sin 2πu
 /// @param u in [0, 1]
-template <Number Real>
+template <class Real>
 VCAVITY_INLINE PlaneDirection<Real> direction_of_turns(const Real& u) {
-  if constexpr (has_short_series<Real>) {
+  if constexpr (Number<Real> && has_short_series<Real>) {
     // From the nearer end of the quarter turns: the quadrant, and what is left of −½ … ½ quarters.
     const Real quarters = Real(4) * u;
     const int quadrant = static_cast<int>(quarters + Real(0.5));

@@ -43,11 +43,13 @@ int whole_at_most(const Real& x, int most) {
 }
 
 /// π to the precision of `Real`, which may be any number type with an `acos` found by argument-dependent
-/// look-up.
+/// look-up, or a type that brings its own, `Real::pi()`.
 template <class Real>
 Real pi() {
   if constexpr (std::is_floating_point_v<Real>) {
     return std::numbers::pi_v<Real>;
+  } else if constexpr (requires { Real::pi(); }) {
+    return Real::pi();
   } else {
     static const Real value = acos(Real(-1));
     return value;

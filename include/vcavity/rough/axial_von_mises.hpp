@@ -54,33 +54,34 @@ class AxialVonMises {
   Real concentration() const { return concentration_; }
 
   /// The density per radian divided by that of κ = 0, 1/π.
-  /// @param sine2 the square of the sine of the angle from the mean, in [0, 1]
-  Real relative_density(const Real& sine2) const {
-    return unnormalised(sine2) * scale_ * (pi<Real>() / Real(2));
+  /// @param sine2 the square of the sine of the angle from the mean, in [0, 1]; a number, or an array of them
+  template <class Value>
+  Value relative_density(const Value& sine2) const {
+    return unnormalised(sine2) * Value(scale_) * Value(pi<Real>() / Real(2));
   }
 
   /// The angle from the mean that a share `u` of the lines stays below.
-  /// @param u in [0, 1]
+  /// @param u in [0, 1]; a number, or an array of them
   /// @return in [−π/2, π/2]
-  Real quantile(const Real& u) const {
+  template <class Value>
+  Value quantile(const Value& u) const {
     using std::sin;
-    const bool is_left = u < Real(0.5);
-    const Real share = is_left ? Real(1) - Real(2) * u : Real(2) * u - Real(1);
-    std::size_t cell = 0;
-    for (std::size_t step = cells / 2; step > 0; step /= 2)
-      if (below_[cell + step] < share) cell += step;
-    const Real low = node(cell), high = node(cell + 1);
+    const Value least(std::numeric_limits<Real>::min());
+    const auto is_left = u < Value(Real(0.5));
+    const Value twice = Value(Real(2)) * u;
+    const Value share = select(is_left, Value(Value(Real(1)) - twice), Value(twice - Value(Real(1))));
+    const Cell<Value> cell = cell_of(share);
     // The density falls from 0 to π/2, so the distribution function is concave, its secant below it.
-    const Real cell_share = at_least(Real(below_[cell + 1] - below_[cell]), std::numeric_limits<Real>::min());
-    Real angle = low + (high - low) * at_most(Real((share - below_[cell]) / cell_share), Real(1));
+    const Value cell_share = at_least(Value(cell.below_high - cell.below_low), least);
+    Value angle = cell.low + (cell.high - cell.low) *
+                                 at_most(Value((share - cell.below_low) / cell_share), Value(Real(1)));
     for (int step = 0; step < newton_steps; ++step) {
-      const Real sine = sin(angle);
-      const Real miss = below_[cell] + scale_ * integral(low, angle) - share;
-      const Real slope =
-          at_least(Real(scale_ * unnormalised(Real(sine * sine))), std::numeric_limits<Real>::min());
-      angle = at_most(at_least(Real(angle - miss / slope), low), high);
+      const Value sine = sin(angle);
+      const Value miss = cell.below_low + Value(scale_) * integral(cell.low, angle) - share;
+      const Value slope = at_least(Value(Value(scale_) * unnormalised(Value(sine * sine))), least);
+      angle = at_most(at_least(Value(angle - miss / slope), cell.low), cell.high);
     }
-    return is_left ? Real(-angle) : angle;
+    return select(is_left, Value(-angle), angle);
   }
 
  private:
@@ -92,19 +93,49 @@ class AxialVonMises {
     return end_ * (Real(static_cast<int>(i)) / Real(static_cast<int>(cells)));
   }
 
-  /// exp(κ (cos 2χ − 1))
-  Real unnormalised(const Real& sine2) const {
-    using std::exp;
-    return exp(Real(-2) * concentration_ * sine2);
+  /// A cell of the table: between which angles it lies, and the shares of the lines below these.
+  template <class Value>
+  struct Cell {
+    Value low, high;
+    Value below_low, below_high;
+  };
+
+  /// The cell in which a share of the lines is reached.
+  template <class Value>
+  Cell<Value> cell_of(const Value& share) const {
+    if constexpr (Number<Value>) {
+      std::size_t cell = 0;
+      for (std::size_t step = cells / 2; step > 0; step /= 2)
+        if (below_[cell + step] < share) cell += step;
+      return {node(cell), node(cell + 1), below_[cell], below_[cell + 1]};
+    } else {
+      // Each share has a cell of its own, and all are looked for in the same steps.
+      Cell<Value> cell{Value(node(0)), Value(node(1)), Value(below_[0]), Value(below_[1])};
+      for (std::size_t i = 1; i < cells; ++i) {
+        const auto is_beyond = share > Value(below_[i]);
+        cell = {select(is_beyond, Value(node(i)), cell.low), select(is_beyond, Value(node(i + 1)), cell.high),
+                select(is_beyond, Value(below_[i]), cell.below_low),
+                select(is_beyond, Value(below_[i + 1]), cell.below_high)};
+      }
+      return cell;
+    }
   }
 
-  Real integral(const Real& low, const Real& high) const {
+  /// exp(κ (cos 2χ − 1))
+  template <class Value>
+  Value unnormalised(const Value& sine2) const {
+    using std::exp;
+    return exp(Value(Real(-2) * concentration_) * sine2);
+  }
+
+  template <class Value>
+  Value integral(const Value& low, const Value& high) const {
     using std::sin;
-    const Real half = (high - low) / Real(2);
-    Real sum(0);
+    const Value half = (high - low) / Value(Real(2));
+    Value sum(Real(0));
     for (const auto& [x, weight] : rule_) {
-      const Real sine = sin(low + half * (Real(1) + x));
-      sum += weight * unnormalised(Real(sine * sine));
+      const Value sine = sin(low + half * Value(Real(1) + x));
+      sum += Value(weight) * unnormalised(Value(sine * sine));
     }
     return half * sum;
   }

@@ -17,7 +17,8 @@
 namespace vcavity {
 
 /// @tparam Slopes an isotropic distribution
-template <SlopeDistribution Slopes>
+/// @tparam AzimuthReal number type of the azimuth's distribution, which takes no arrays of concentrations
+template <SlopeDistribution Slopes, class AzimuthReal = scalar_t<Slopes>>
 class BrushedSlopes {
  public:
   using value_type = scalar_t<Slopes>;
@@ -30,14 +31,20 @@ class BrushedSlopes {
   BrushedSlopes(Slopes slopes, const Real& concentration)
       : slopes_(std::move(slopes)), azimuths_(concentration) {}
 
+  /// The same with a distribution of azimuths that exists already.
+  /// @param slopes distribution of the slopes, isotropic
+  /// @param azimuths of the grooves about x
+  BrushedSlopes(Slopes slopes, const AxialVonMises<AzimuthReal>& azimuths)
+      : slopes_(std::move(slopes)), azimuths_(azimuths) {}
+
   /// D(m), per steradian.
   /// @param m unit vector, m.z ≥ 0; of m = z, where there is no azimuth, the mean
   Real density(const Vec3<Real>& m) const {
     const Real x2 = m.x * m.x;
     const Real across2 = x2 + m.y * m.y;
-    const Real isotropic = slopes_.density(m);
-    if (!(across2 > Real(0))) return isotropic;
-    return isotropic * azimuths_.relative_density(Real(x2 / across2));
+    const auto has_azimuth = across2 > Real(0);
+    const Real sine2 = x2 / select(has_azimuth, across2, Real(1));
+    return slopes_.density(m) * select(has_azimuth, azimuths_.relative_density(sine2), Real(1));
   }
 
   /// A normal of the density D(m) cos θ_m.
@@ -57,11 +64,11 @@ class BrushedSlopes {
   const Slopes& slopes() const { return slopes_; }
 
   /// The concentration κ of the azimuths.
-  Real concentration() const { return azimuths_.concentration(); }
+  AzimuthReal concentration() const { return azimuths_.concentration(); }
 
  private:
   Slopes slopes_;
-  AxialVonMises<Real> azimuths_;
+  AxialVonMises<AzimuthReal> azimuths_;
 };
 
 }  // namespace vcavity

@@ -38,6 +38,7 @@
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
+#include "vcavity/rough/way_series.hpp"
 
 namespace vcavity {
 
@@ -54,7 +55,7 @@ struct ConnectingGroove {
 /// Grooves of a few consecutive numbers of bounces that lead light from one direction into another, side by side: in
 /// each pair of lanes those of one number, with panel one and with panel two met first.
 template <class Real>
-struct GrooveBatch {
+struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
   static constexpr std::size_t capacity = 8;
   using Lanes = Pack<Real, capacity>;
 
@@ -64,20 +65,15 @@ struct GrooveBatch {
     return Lanes::load(numbers.data());
   }
 
-  int least_bounces;    ///< of the first pair of lanes
-  Lanes bounces;        ///< the numbers, in pairs
-  Lanes elevation;      ///< of the light above the panel that is met first, in the plane across the groove
-  Lanes half_aperture;  ///< α/2
-  Lanes cos_half, sin_half;
-  Lanes beam;  ///< B, as in `ConnectingGroove`; 0 where there is no groove
+  int least_bounces;  ///< of the first pair of lanes
 
   /// The number of bounces of a lane.
   int bounces_of(std::size_t lane) const { return least_bounces + static_cast<int>(lane / 2); }
 
   /// The groove of a lane; there is one if its beam is above 0.
   ConnectingGroove<Real> operator[](std::size_t lane) const {
-    return {lane % 2 == 0 ? Panel::one : Panel::two, bounces_of(lane), cos_half[lane], sin_half[lane],
-            beam[lane]};
+    return {lane % 2 == 0 ? Panel::one : Panel::two, bounces_of(lane), this->cos_half[lane],
+            this->sin_half[lane], this->beam[lane]};
   }
 };
 
@@ -93,16 +89,17 @@ class ConnectingGrooves {
     const Real h_y = e.y + o.y;
     tilt_ = sqrt(h_x * h_x + h_y * h_y);
     // Without a tilt of e + o any azimuth serves.
-    across_ = tilt_ > Real(0) ? Vec2<Real>{h_x / tilt_, h_y / tilt_} : Vec2<Real>{Real(0), Real(1)};
+    const auto is_tilted = tilt_ > Real(0);
+    const Real inverted = select(is_tilted, tilt_, Real(1));
+    across_ = {h_x / inverted, select(is_tilted, Real(h_y / inverted), Real(1))};
     e_ = in_groove(e);
     o_ = in_groove(o);
     // Of e_y and o_y the sum is |h|, and the difference follows from the heights, since e and o are of one length.
     // Next to the mirror direction, where h is short, products of h with e and o would lose their digits.
-    if (tilt_ > Real(0)) {
-      const Real drop = (o_.z - e_.z) * ((o_.z + e_.z) / tilt_);
-      e_.y = select(tilt_ < horizontal_length(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
-      o_.y = select(tilt_ < horizontal_length(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
-    }
+    const Real drop = (o_.z - e_.z) * ((o_.z + e_.z) / inverted);
+    const Real apart = select(is_tilted, tilt_, Real(2));  // longer than any direction's horizontal part
+    e_.y = select(apart < horizontal_length(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
+    o_.y = select(apart < horizontal_length(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
     cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
     const Real sum_z = e_.z + o_.z;
     inverse_sum_ = Real(1) / Real(sqrt(tilt_ * tilt_ + sum_z * sum_z));
@@ -140,24 +137,27 @@ class ConnectingGrooves {
     const Real sum_z = e_.z + o_.z;
     const Real sin_half = sum_z * inverse_sum_;
     // e · m = |e + o|/2, and what the rims of the groove leave of it.
-    const Real lower = e_.z < o_.z ? e_.z : o_.z;
-    const Real lit = at_most(Real(Real(0.5) / inverse_sum_), Real(Real(2) * sin_half * lower));
+    const Real lit = at_most(Real(Real(0.5) / inverse_sum_), Real(Real(2) * sin_half * at_most(e_.z, o_.z)));
     return {Panel::one, 1, tilt_ * inverse_sum_, sin_half, lit / cos_eta_};
   }
 
-  /// The normals of panel one, or of panel two turned by half a turn, of a batch, in the frame of the surface.
-  Vec3<typename GrooveBatch<Real>::Lanes> normals(const GrooveBatch<Real>& batch) const {
-    return {across_.x * batch.cos_half, across_.y * batch.cos_half, batch.sin_half};
+  /// The normals of panel one, or of panel two turned by half a turn, of several ways, in the frame of the surface.
+  template <class Value>
+  Vec3<Value> normals(const GrooveWays<Value>& ways) const {
+    return {across_.x * ways.cos_half, across_.y * ways.cos_half, ways.sin_half};
   }
 
-  /// `density` of a batch.
-  /// @param batch the grooves
-  /// @param facet_densities D(m) of each
-  typename GrooveBatch<Real>::Lanes densities(
-      const GrooveBatch<Real>& batch, const typename GrooveBatch<Real>::Lanes& facet_densities) const {
+  /// `density` of several ways.
+  /// @param ways the ways
+  /// @param facet_densities D(m) of the groove of each
+  template <class Value>
+  Value densities(const GrooveWays<Value>& ways, const Value& facet_densities) const {
     return cos_eta_ / (Real(2) * e_.z) *
-           (facet_densities * batch.beam * batch.cos_half / (tilt_ * batch.bounces));
+           (facet_densities * ways.beam * ways.cos_half / (tilt_ * ways.bounces));
   }
+
+  /// The ways of two and more bounces.
+  AllWays<Real> all_ways() const { return {elevation(e_), elevation(o_), across_, cos_eta_, e_.z, tilt_}; }
 
   /// Calls `visit` with every groove of two to `max_bounces` bounces, in ascending order of these, many at once.
   template <class Visit>
@@ -252,78 +252,43 @@ class ConnectingGrooves {
   static constexpr int bounces_per_batch = GrooveBatch<Real>::capacity / 2;
   static_assert(bounces_per_batch % 2 == 0, "a lane stays with one parity");
 
-  /// The same for all parities and first panels: a lane for each, in the order of a batch.
+  /// All parities and first panels: a lane for each, in the order of a batch.
   class LaneSeries {
    public:
     using Lanes = typename GrooveBatch<Real>::Lanes;
 
-    VCAVITY_INLINE LaneSeries(const Elevation& e, const Elevation& o) {
-      // Of an even number of bounces, panel one and panel two first; then of an odd one.
-      static constexpr std::array is_panel_two{0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f};
-      static constexpr std::array leaves_over_two{1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f, 1.0f};
-      const auto from_two = Lanes::load(is_panel_two.data()) > Real(0);
-      const auto to_two = Lanes::load(leaves_over_two.data()) > Real(0);
-      from_ = select(from_two, Lanes(e.complement), Lanes(e.angle));
-      const Lanes from_complement = select(from_two, Lanes(e.angle), Lanes(e.complement));
-      const Lanes to_angle = select(to_two, Lanes(o.complement), Lanes(o.angle));
-      const Lanes to_complement = select(to_two, Lanes(o.angle), Lanes(o.complement));
-      lower_ = at_most(from_, to_angle);
-      upper_ = larger(from_, to_angle);
-      lower_complement_ = larger(from_complement, to_complement);
-      upper_complement_ = at_most(from_complement, to_complement);
-      sum_ = lower_ + upper_;
-      // Where elevations are measured from the near horizon, they have more digits than from the far one.
-      const auto is_low = lower_complement_ > lower_;
-      const Lanes difference = select(is_low, upper_ - lower_, lower_complement_ - upper_complement_);
-      beta_ = Real(0.5) * (upper_complement_ - lower_);
-      const Lanes slowest = larger(difference - Real(2) * beta_, difference);
-      most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
-      beam_of_one_ = Real(2) * detail::acute_sine(Real(0.5) * sum_);
-      nearer_ = select(is_low, lower_, -lower_complement_);
-      half_turns_before_ = select(is_low, Lanes(Real(1)), Lanes(Real(2)));
-    }
+    VCAVITY_INLINE LaneSeries(const Elevation& e, const Elevation& o) : series_(from(e), to(o)) {}
 
     /// Ways of fewer bounces than this exist.
-    Real most_bounces() const { return largest(most_bounces_); }
+    Real most_bounces() const { return largest(series_.most_bounces()); }
 
     /// @param least even
     /// @param last ways of more bounces are left out
     VCAVITY_INLINE GrooveBatch<Real> batch(int least, int last) const {
-      GrooveBatch<Real> batch;
-      batch.least_bounces = least;
       static constexpr std::array in_pairs{0.0f, 0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 3.0f};
-      batch.bounces = Lanes(Real(least)) + Lanes::load(in_pairs.data());
-      batch.elevation = from_;
-      const Lanes& bounces = batch.bounces;
-      const Lanes inverse = Lanes(Real(0.5)) / bounces;
-      const Lanes fewer = bounces - Lanes(Real(1));
-      batch.half_aperture = sum_ * inverse;
-      const Lanes x = ((bounces + Lanes(Real(1))) * lower_ - fewer * upper_) * inverse;
-      const Lanes x_plus_beta =
-          ((bounces + fewer) * upper_complement_ + nearer_ - pi<Real>() * (bounces - half_turns_before_)) *
-          inverse;
-      const auto is_one_lit = beta_ > x;
-      const Lanes angle = select(is_one_lit, x, x_plus_beta);
-      batch.cos_half = detail::acute_cosine(batch.half_aperture);
-      batch.sin_half = detail::acute_sine(batch.half_aperture);
-      const Lanes beam = select(is_one_lit, beam_of_one_, Lanes(Real(1))) * detail::acute_sine(angle);
-      const Lanes existing = select(most_bounces_ > bounces, at_least(beam, Real(0)), Lanes(Real(0)));
-      batch.beam = select(bounces > Real(last), Lanes(Real(0)), existing);
+      GrooveBatch<Real> batch{series_.ways(Lanes(Real(least)) + Lanes::load(in_pairs.data())), least};
+      batch.beam = select(batch.bounces > Real(last), Lanes(Real(0)), batch.beam);
       return batch;
     }
 
    private:
-    static Lanes larger(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
+    // Of an even number of bounces, panel one and panel two first; then of an odd one.
+    VCAVITY_INLINE static detail::Elevation<Lanes> from(const Elevation& e) {
+      static constexpr std::array is_panel_two{0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f};
+      return above_panels(e, Lanes::load(is_panel_two.data()));
+    }
+    VCAVITY_INLINE static detail::Elevation<Lanes> to(const Elevation& o) {
+      static constexpr std::array leaves_over_two{1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f, 1.0f};
+      return above_panels(o, Lanes::load(leaves_over_two.data()));
+    }
+    VCAVITY_INLINE static detail::Elevation<Lanes> above_panels(const Elevation& k,
+                                                                const Lanes& is_panel_two) {
+      const auto of_two = is_panel_two > Real(0);
+      return {select(of_two, Lanes(k.complement), Lanes(k.angle)),
+              select(of_two, Lanes(k.angle), Lanes(k.complement))};
+    }
 
-    Lanes from_;
-    Lanes lower_, upper_;  // elevations above the near horizon
-    Lanes lower_complement_, upper_complement_;
-    Lanes nearer_;             // the lower elevation, from the near horizon or negative from the far one,
-    Lanes half_turns_before_;  // and the number of bounces at which that is x + β
-    Lanes sum_;                // jα
-    Lanes beta_;
-    Lanes beam_of_one_;  // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
-    Lanes most_bounces_;
+    WaySeries<Lanes> series_;
   };
 
   static Real horizontal_length(const Vec3<Real>& v) {
@@ -339,7 +304,7 @@ class ConnectingGrooves {
 
   static Real least_height() {
     using std::sqrt;
-    if constexpr (std::is_floating_point_v<Real>) {
+    if constexpr (std::is_floating_point_v<Real> || !Number<Real>) {
       return sqrt(smallest_divisor<Real>());
     } else {
       static const Real value = sqrt(smallest_divisor<Real>());

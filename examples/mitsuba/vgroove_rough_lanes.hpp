@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// The BSDF `vgroove` of the vectorised variants: rough surfaces, many directions at once, with derivatives.
+///
+/// The sums of lockstep_rough_bsdf.hpp as loops of the kernel. Directions are drawn, and densities given, without
+/// derivatives; those with respect to the roughness, the index, the tint and the rotation are in the values, which
+/// depend smoothly on all of them at every pair of directions.
+
+#include <mitsuba/render/bsdf.h>
+#include <mitsuba/render/mueller.h>
+
+#include <string>
+#include <utility>
+#include <vcavity/vcavity.hpp>
+#include <vector>
+
+#include "lanes.hpp"
+#include "lanes_bsdf.hpp"
+#include "symbolic_sum.hpp"
+
+NAMESPACE_BEGIN(mitsuba)
+
+/// GGX in lanes.
+struct GgxLanes {
+  explicit GgxLanes(float) {}
+
+  template <class Real>
+  vcavity::GgxSlopes<Real> slopes(const Real& along_u, const Real& along_v) const {
+    return {along_u, along_v};
+  }
+};
+
+/// Beckmann in lanes.
+struct BeckmannLanes {
+  explicit BeckmannLanes(float) {}
+
+  template <class Real>
+  vcavity::BeckmannSlopes<Real> slopes(const Real& along_u, const Real& along_v) const {
+    return {along_u, along_v};
+  }
+};
+
+/// Brushed grooves in lanes, all of one concentration.
+struct BrushedLanes {
+  explicit BrushedLanes(float concentration) : azimuths(concentration) {}
+
+  template <class Real>
+  vcavity::BrushedSlopes<vcavity::GgxSlopes<Real>, float> slopes(const Real& roughness, const Real&) const {
+    return {vcavity::GgxSlopes<Real>(roughness), azimuths};
+  }
+
+  vcavity::AxialVonMises<float> azimuths;
+};
+
+/// A surface at many points, as the arrays that derivatives are asked for.
+/// @tparam Finish one of the above
+/// @tparam Real,Values numbers and colours of lanes.hpp
+template <class Finish, class Real, class Values>
+struct RoughPoints {
+  Finish finish;
+  Real along_u, along_v;  ///< roughness
+  Values eta, k;          ///< index
+  Values tint;            ///< factor on the reflectance of each bounce
+
+  auto slopes() const { return finish.slopes(along_u, along_v); }
+  auto facet() const { return vgroove::Tinted(vcavity::Conductor<Values>(eta, k), tint); }
+
+  auto fields_() { return dr::tie(along_u, along_v, eta, k, tint); }
+  auto fields_() const { return dr::tie(along_u, along_v, eta, k, tint); }
+};
+
+/// @tparam Finish one of the above
+template <typename Float, typename Spectrum, class Finish>
+class VGrooveRoughLanes final : public LanesBsdf<Float, Spectrum> {
+ public:
+  MI_IMPORT_BASE(LanesBsdf, parameters_, kind_, axes_at, index_at, tint_at, vector)
+  MI_IMPORT_TYPES()
+  using typename Base::Axes, typename Base::Parameters;
+  using typename Base::Real, typename Base::Values, typename Base::Vector;
+
+  VGrooveRoughLanes(const Properties& props, const Parameters& parameters)
+      : Base(props, parameters, BSDFFlags::GlossyReflection), finish_(parameters.concentration) {}
+
+  std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext& context, const SurfaceInteraction3f& si,
+                                           Float u_ray, const Point2f& u_groove, Mask active) const override {
+    BSDFSample3f result = dr::zeros<BSDFSample3f>();
+    if (!context.is_enabled(kind_)) return {result, dr::zeros<Spectrum>()};
+    const Axes axes = axes_at(si, active);
+    const auto bsdf = bsdf_at(si, active);
+    const Axes fixed_axes{dr::detach(axes.cosine), dr::detach(axes.sine)};
+    const auto ray = vcavity::LockstepRoughBsdf(points_at(si, active), bsdf.max_bounces())
+                         .draw(fixed_axes.to_groove(vector(Vector3f(dr::detach(si.wi)))), Real(u_ray),
+                               {Real(u_groove.x()), Real(u_groove.y())});
+    result.wo = dr::detach(vector(fixed_axes.from_groove(ray.leaving())));
+    const auto both =
+        bsdf.evaluate_with_pdf(axes.to_groove(vector(si.wi)), axes.to_groove(vector(result.wo)));
+    const Float density = dr::detach(both.pdf.array);
+    active &= si.wi.z() >= 0.f && ray.way().bounces.array <= static_cast<float>(bsdf.max_bounces()) &&
+              density >= vcavity::smallest_divisor<float>() && density <= dr::Largest<float>;
+    result.pdf = dr::select(active, density, 0.f);
+    result.eta = 1.f;
+    result.sampled_type = +kind_;
+    result.sampled_component = 0;
+    return {result, dr::select(active, depolarizer<Spectrum>(UnpolarizedSpectrum(both.value.array / density)),
+                               dr::zeros<Spectrum>())};
+  }
+
+  Float pdf(const BSDFContext& context, const SurfaceInteraction3f& si, const Vector3f& wi,
+            Mask active) const override {
+    if (!context.is_enabled(kind_)) return dr::zeros<Float>();
+    const Axes axes = axes_at(si, active);
+    const Float density =
+        bsdf_at(si, active).pdf(axes.to_groove(vector(si.wi)), axes.to_groove(vector(wi))).array;
+    return dr::select(active, dr::detach(density), 0.f);
+  }
+
+  std::pair<Spectrum, Float> eval_pdf(const BSDFContext& context, const SurfaceInteraction3f& si,
+                                      const Vector3f& wi, Mask active) const override {
+    if (!context.is_enabled(kind_)) return {dr::zeros<Spectrum>(), dr::zeros<Float>()};
+    const Axes axes = axes_at(si, active);
+    const auto both =
+        bsdf_at(si, active).evaluate_with_pdf(axes.to_groove(vector(si.wi)), axes.to_groove(vector(wi)));
+    return {dr::select(active, depolarizer<Spectrum>(both.value.array), dr::zeros<Spectrum>()),
+            dr::select(active, dr::detach(both.pdf.array), 0.f)};
+  }
+
+  void traverse(TraversalCallback* callback) override {
+    if (parameters_.anisotropic) {
+      callback->put("alpha_u", parameters_.roughness_u->texture(), ParamFlags::Differentiable);
+      callback->put("alpha_v", parameters_.roughness_v->texture(), ParamFlags::Differentiable);
+    } else {
+      callback->put("roughness", parameters_.roughness_u->texture(), ParamFlags::Differentiable);
+    }
+    Base::traverse(callback);
+  }
+
+  MI_DECLARE_CLASS(VGrooveRoughLanes)
+
+ private:
+  using Points = RoughPoints<Finish, Real, Values>;
+
+  Points points_at(const SurfaceInteraction3f& si, Mask active) const {
+    const Float along_u = parameters_.roughness_u->at(si, active);
+    const Float along_v = parameters_.anisotropic ? parameters_.roughness_v->at(si, active) : along_u;
+    const auto [eta, k] = index_at(si, active);
+    return {finish_, Real(along_u), Real(along_v), eta, k, tint_at(si, active)};
+  }
+
+  auto bsdf_at(const SurfaceInteraction3f& si, Mask active) const {
+    constexpr int unless_limited =
+        vcavity::RoughGrooveBsdf<vcavity::GgxSlopes<float>, vcavity::Conductor<float>>::default_max_bounces;
+    const int limit = parameters_.effects.max_bounces;
+    return vcavity::LockstepRoughBsdf<Points, vgroove::SymbolicSummation>(
+        points_at(si, active), limit == vcavity::all_bounces ? unless_limited : limit);
+  }
+
+  Finish finish_;
+};
+
+NAMESPACE_END(mitsuba)

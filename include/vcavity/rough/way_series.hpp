@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// The ways of light through the grooves that lead it from one direction into another, as a function of the number of
+/// bounces: for one panel that is met first, and for even numbers or for odd ones.
+///
+/// The geometry is that of connecting_grooves.hpp. All elevations are in the plane across the groove; with k_e and k_o
+/// above the horizons from which they make the aperture α = (k_e + k_o)/j, the width B of the rays of a way follows
+/// without a branch, for as many series side by side as a value has components, and for the arrays of renderers that
+/// follow many paths in lockstep.
+///
+/// When not to use it: from outside; `ConnectingGrooves` knows which elevations belong together.
+
+#include <cmath>
+#include <limits>
+
+#include "vcavity/conventions.hpp"
+#include "vcavity/numbers/acute_angles.hpp"
+#include "vcavity/numbers/compiler.hpp"
+#include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/number.hpp"
+
+namespace vcavity {
+
+/// Ways through grooves side by side, one in each component of a value.
+template <class Value>
+struct GrooveWays {
+  Value bounces;        ///< the numbers of bounces
+  Value elevation;      ///< of the light above the panel that is met first, in the plane across the groove
+  Value half_aperture;  ///< α/2
+  Value cos_half, sin_half;
+  Value beam;  ///< B, as in `ConnectingGroove`; 0 where there is no groove
+};
+
+/// @tparam Value a number, or a pack with a series in each component
+template <class Value>
+class WaySeries {
+ public:
+  using Real = scalar_t<Value>;
+
+  /// @param from elevation of the light above the panel that is met first
+  /// @param to elevation of the way it leaves, above the same panel after an odd number of bounces, above the other
+  ///        one after an even number
+  VCAVITY_INLINE WaySeries(const detail::Elevation<Value>& from, const detail::Elevation<Value>& to)
+      : from_(from.angle) {
+    lower_ = at_most(from.angle, to.angle);
+    upper_ = larger(from.angle, to.angle);
+    lower_complement_ = larger(from.complement, to.complement);
+    upper_complement_ = at_most(from.complement, to.complement);
+    sum_ = lower_ + upper_;
+    // Where elevations are measured from the near horizon, they have more digits than from the far one.
+    const auto is_low = lower_complement_ > lower_;
+    const Value difference =
+        select(is_low, Value(upper_ - lower_), Value(lower_complement_ - upper_complement_));
+    beta_ = Real(0.5) * (upper_complement_ - lower_);
+    const Value slowest = larger(Value(difference - Real(2) * beta_), difference);
+    most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
+    beam_of_one_ = Real(2) * detail::acute_sine(Value(Real(0.5) * sum_));
+    nearer_ = select(is_low, lower_, Value(-lower_complement_));
+    half_turns_before_ = select(is_low, Value(Real(1)), Value(Real(2)));
+  }
+
+  /// Ways of fewer bounces than this exist.
+  const Value& most_bounces() const { return most_bounces_; }
+
+  /// The ways of given numbers of bounces.
+  /// @param bounces whole numbers above 1, of the parity of the series
+  VCAVITY_INLINE GrooveWays<Value> ways(const Value& bounces) const {
+    GrooveWays<Value> ways;
+    ways.bounces = bounces;
+    ways.elevation = from_;
+    const Value inverse = Value(Real(0.5)) / bounces;
+    const Value fewer = bounces - Value(Real(1));
+    ways.half_aperture = sum_ * inverse;
+    const Value x = ((bounces + Value(Real(1))) * lower_ - fewer * upper_) * inverse;
+    const Value x_plus_beta =
+        ((bounces + fewer) * upper_complement_ + nearer_ - pi<Real>() * (bounces - half_turns_before_)) *
+        inverse;
+    const auto is_one_lit = beta_ > x;
+    const Value angle = select(is_one_lit, x, x_plus_beta);
+    ways.cos_half = detail::acute_cosine(ways.half_aperture);
+    ways.sin_half = detail::acute_sine(ways.half_aperture);
+    const Value beam = select(is_one_lit, beam_of_one_, Value(Real(1))) * detail::acute_sine(angle);
+    ways.beam = select(most_bounces_ > bounces, at_least(beam, Real(0)), Value(Real(0)));
+    return ways;
+  }
+
+ private:
+  VCAVITY_INLINE static Value larger(const Value& a, const Value& b) { return select(a > b, a, b); }
+
+  Value from_;
+  Value lower_, upper_;  // elevations above the near horizon
+  Value lower_complement_, upper_complement_;
+  Value nearer_;             // the lower elevation, from the near horizon or negative from the far one,
+  Value half_turns_before_;  // and the number of bounces at which that is x + β
+  Value sum_;                // jα
+  Value beta_;
+  Value beam_of_one_;  // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
+  Value most_bounces_;
+};
+
+/// The ways of all numbers of bounces above 1 and of both first panels that lead light from one direction into another,
+/// one at a time.
+/// @tparam Value a number, or an array with a pair of directions in each entry
+template <class Value>
+struct AllWays {
+  using Real = scalar_t<Value>;
+  using Elevation = detail::Elevation<Value>;
+
+  Elevation from;      ///< elevation of the light above panel one
+  Elevation to;        ///< elevation of the direction in which it leaves, above the same panel
+  Vec2<Value> across;  ///< the unit vector across the grooves
+  Value cos_eta;       ///< length of either direction in the plane across the grooves
+  Value height;        ///< vertical component of the direction towards the light
+  Value tilt;          ///< |h|; where it is 0, there are none of these ways
+
+  /// Ways of fewer bounces than this exist.
+  Value most_bounces() const {
+    const auto most = [](const Elevation& e, const Elevation& o) {
+      return WaySeries<Value>(e, o).most_bounces();
+    };
+    return at_least(at_least(most(from, to), most(from, to.turned())),
+                    at_least(most(from.turned(), to), most(from.turned(), to.turned())));
+  }
+
+  /// The ways of given numbers of bounces.
+  /// @param bounces whole numbers above 1
+  /// @param meets_two where it is set, panel two is met first
+  template <class Mask>
+  GrooveWays<Value> ways(const Value& bounces, const Mask& meets_two) const {
+    using std::floor;
+    const Value half = Real(0.5) * bounces;
+    const auto is_odd = half > Value(floor(half));
+    const Elevation e = chosen(meets_two, from.turned(), from), o = chosen(meets_two, to.turned(), to);
+    return WaySeries<Value>(e, chosen(is_odd, o, o.turned())).ways(bounces);
+  }
+
+  /// The normals of panel one, or of panel two turned by half a turn, in the frame of the surface.
+  template <class Values>
+  Vec3<Values> normals(const GrooveWays<Values>& ways) const {
+    return {across.x * ways.cos_half, across.y * ways.cos_half, ways.sin_half};
+  }
+
+  /// BRDF × cosine of the light that goes each way, for facets that reflect all light.
+  /// @param ways the ways
+  /// @param facet_densities D(m) of the groove of each
+  template <class Values>
+  Values densities(const GrooveWays<Values>& ways, const Values& facet_densities) const {
+    return cos_eta / (Real(2) * height) *
+           (facet_densities * ways.beam * ways.cos_half / (tilt * ways.bounces));
+  }
+
+ private:
+  template <class Mask>
+  static Elevation chosen(const Mask& mask, const Elevation& a, const Elevation& b) {
+    return {select(mask, a.angle, b.angle), select(mask, a.complement, b.complement)};
+  }
+};
+
+}  // namespace vcavity

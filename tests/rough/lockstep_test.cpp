@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <random>
+#include <vcavity/facet/fresnel.hpp>
+#include <vcavity/rough/brushed_slopes.hpp>
+#include <vcavity/rough/lockstep_rough_bsdf.hpp>
+#include <vcavity/rough/rough_bsdf.hpp>
+
+#include "support/catch.hpp"
+
+using namespace vcavity;
+
+namespace {
+
+Vec3<double> direction(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double azimuth = 2 * pi<double>() * uniform(random), z = uniform(random);
+  const double across = std::sqrt(1 - z * z);
+  return {across * std::cos(azimuth), across * std::sin(azimuth), z};
+}
+
+template <class Distribution>
+struct Surface {
+  Distribution distribution;
+
+  const Distribution& slopes() const { return distribution; }
+  Conductor<double> facet() const { return {0.2, 2.0}; }
+};
+
+template <class Distribution>
+void check(const Distribution& distribution, int max_bounces) {
+  const Surface<Distribution> surface{distribution};
+  const RoughGrooveBsdf one_by_one(distribution, surface.facet(), max_bounces);
+  const LockstepRoughBsdf lockstep(surface, max_bounces);
+  std::mt19937 random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3<double> wo = direction(random), wi = direction(random);
+    const auto expected = one_by_one.evaluate_with_pdf(wo, wi);
+    const auto found = lockstep.evaluate_with_pdf(wo, wi);
+    REQUIRE(found.pdf == Approx(expected.pdf).epsilon(1e-13));
+    REQUIRE(found.value == Approx(expected.value).epsilon(1e-12));
+    REQUIRE(lockstep.pdf(wo, wi) == Approx(expected.pdf).epsilon(1e-13));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A rough surface in lockstep has the values of one direction after the other") {
+  for (const int max_bounces : {1, 2, 3, 12, 32}) {
+    check(GgxSlopes(0.7), max_bounces);
+    check(GgxSlopes(0.1, 1.5), max_bounces);
+    check(BeckmannSlopes(0.9), max_bounces);
+    check(BrushedSlopes(GgxSlopes(1.2), 10.0), max_bounces);
+  }
+}
+
+TEST_CASE("A rough surface in lockstep is black below the horizon, and knows the mirror direction") {
+  const Surface<GgxSlopes<double>> surface{GgxSlopes(0.4)};
+  const LockstepRoughBsdf bsdf(surface, 8);
+  const RoughGrooveBsdf same(surface.slopes(), surface.facet(), 8);
+  const Vec3<double> wo{0.6, 0, 0.8};
+  for (const auto& below : {Vec3<double>{0.6, 0, -0.8}, Vec3<double>{0, 1, -1e-9}}) {
+    CHECK(bsdf.evaluate_with_pdf(wo, below).value == 0);
+    CHECK(bsdf.evaluate_with_pdf(below, wo).pdf == 0);
+    CHECK(bsdf.pdf(wo, below) == 0);
+  }
+  const Vec3<double> mirrored{-0.6, 0, 0.8}, up{0, 0, 1};
+  CHECK(bsdf.evaluate_with_pdf(wo, mirrored).value == Approx(same.evaluate(wo, mirrored)).epsilon(1e-14));
+  CHECK(bsdf.evaluate_with_pdf(up, up).value == Approx(same.evaluate(up, up)).epsilon(1e-14));
+}
