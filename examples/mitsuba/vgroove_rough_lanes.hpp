@@ -10,10 +10,9 @@
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/mueller.h>
 
-#include <string>
+#include <type_traits>
 #include <utility>
 #include <vcavity/vcavity.hpp>
-#include <vector>
 
 #include "lanes.hpp"
 #include "lanes_bsdf.hpp"
@@ -141,10 +140,21 @@ class VGrooveRoughLanes final : public LanesBsdf<Float, Spectrum> {
   using Points = RoughPoints<Finish, Real, Values>;
 
   Points points_at(const SurfaceInteraction3f& si, Mask active) const {
+    // Parameters that are the same everywhere come as arrays of one entry. Next to longer ones, loops of Dr.Jit have no
+    // derivatives forwards with respect to them.
+    const Mask everywhere = si.wi.z() >= -dr::Largest<float>;
+    const auto at_each = [&everywhere](const auto& array) {
+      return std::remove_cvref_t<decltype(array)>(dr::select(everywhere, array, 0.f));
+    };
     const Float along_u = parameters_.roughness_u->at(si, active);
     const Float along_v = parameters_.anisotropic ? parameters_.roughness_v->at(si, active) : along_u;
     const auto [eta, k] = index_at(si, active);
-    return {finish_, Real(along_u), Real(along_v), eta, k, tint_at(si, active)};
+    return {finish_,
+            Real(at_each(along_u)),
+            Real(at_each(along_v)),
+            Values(at_each(eta.array)),
+            Values(at_each(k.array)),
+            Values(at_each(tint_at(si, active).array))};
   }
 
   auto bsdf_at(const SurfaceInteraction3f& si, Mask active) const {

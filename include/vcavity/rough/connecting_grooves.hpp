@@ -141,22 +141,20 @@ class ConnectingGrooves {
     return {Panel::one, 1, tilt_ * inverse_sum_, sin_half, lit / cos_eta_};
   }
 
-  /// The normals of panel one, or of panel two turned by half a turn, of several ways, in the frame of the surface.
-  template <class Value>
-  Vec3<Value> normals(const GrooveWays<Value>& ways) const {
-    return {across_.x * ways.cos_half, across_.y * ways.cos_half, ways.sin_half};
+  /// The normals of panel one, or of panel two turned by half a turn, of a batch, in the frame of the surface.
+  Vec3<typename GrooveBatch<Real>::Lanes> normals(const GrooveBatch<Real>& batch) const {
+    return batch.normals(across_);
   }
 
-  /// `density` of several ways.
-  /// @param ways the ways
-  /// @param facet_densities D(m) of the groove of each
-  template <class Value>
-  Value densities(const GrooveWays<Value>& ways, const Value& facet_densities) const {
-    return cos_eta_ / (Real(2) * e_.z) *
-           (facet_densities * ways.beam * ways.cos_half / (tilt_ * ways.bounces));
+  /// `density` of a batch.
+  /// @param batch the grooves
+  /// @param facet_densities D(m) of each
+  typename GrooveBatch<Real>::Lanes densities(
+      const GrooveBatch<Real>& batch, const typename GrooveBatch<Real>::Lanes& facet_densities) const {
+    return batch.densities(cos_eta_, e_.z, tilt_, facet_densities);
   }
 
-  /// The ways of two and more bounces.
+  /// The ways of two and more bounces, for those who go through them one at a time.
   AllWays<Real> all_ways() const { return {elevation(e_), elevation(o_), across_, cos_eta_, e_.z, tilt_}; }
 
   /// Calls `visit` with every groove of two to `max_bounces` bounces, in ascending order of these, many at once.

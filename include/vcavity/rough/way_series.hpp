@@ -30,6 +30,24 @@ struct GrooveWays {
   Value half_aperture;  ///< α/2
   Value cos_half, sin_half;
   Value beam;  ///< B, as in `ConnectingGroove`; 0 where there is no groove
+
+  /// The normals of panel one, or of panel two turned by half a turn, in the frame of the surface.
+  /// @param across the unit vector across the grooves
+  template <class Number>
+  Vec3<Value> normals(const Vec2<Number>& across) const {
+    return {across.x * cos_half, across.y * cos_half, sin_half};
+  }
+
+  /// BRDF × cosine of the light that goes each way, of two and more bounces, for facets that reflect all light.
+  /// @param cos_eta cos η
+  /// @param height e_z
+  /// @param tilt |h|
+  /// @param facet_densities D(m) of the groove of each
+  template <class Number>
+  Value densities(const Number& cos_eta, const Number& height, const Number& tilt,
+                  const Value& facet_densities) const {
+    return cos_eta / (Number(2) * height) * (facet_densities * beam * cos_half / (tilt * bounces));
+  }
 };
 
 /// @tparam Value a number, or a pack with a series in each component
@@ -135,19 +153,14 @@ struct AllWays {
     return WaySeries<Value>(e, chosen(is_odd, o, o.turned())).ways(bounces);
   }
 
-  /// The normals of panel one, or of panel two turned by half a turn, in the frame of the surface.
-  template <class Values>
-  Vec3<Values> normals(const GrooveWays<Values>& ways) const {
-    return {across.x * ways.cos_half, across.y * ways.cos_half, ways.sin_half};
-  }
+  /// The normals of panel one of some ways, in the frame of the surface; see `GrooveWays`.
+  Vec3<Value> normals(const GrooveWays<Value>& ways) const { return ways.normals(across); }
 
   /// BRDF × cosine of the light that goes each way, for facets that reflect all light.
   /// @param ways the ways
   /// @param facet_densities D(m) of the groove of each
-  template <class Values>
-  Values densities(const GrooveWays<Values>& ways, const Values& facet_densities) const {
-    return cos_eta / (Real(2) * height) *
-           (facet_densities * ways.beam * ways.cos_half / (tilt * ways.bounces));
+  Value densities(const GrooveWays<Value>& ways, const Value& facet_densities) const {
+    return ways.densities(cos_eta, height, tilt, facet_densities);
   }
 
  private:
