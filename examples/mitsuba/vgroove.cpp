@@ -25,7 +25,7 @@
 ///  - `concentration` κ of the azimuths of brushed grooves about that axis, in [0, 1e6]; 100 by default
 ///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
-/// One-sided, like `conductor`. Built for the scalar variants, and without `distribution` for those of LLVM.
+/// One-sided, like `conductor`. Built for the scalar variants and for those of LLVM.
 
 #include <mitsuba/core/plugin.h>
 
