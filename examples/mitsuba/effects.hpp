@@ -4,6 +4,7 @@
 /// Which effects a material calls for, decided once, when the scene is loaded.
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <sstream>
 #include <string>
@@ -65,6 +66,13 @@ Effects planned_effects(const std::vector<Shape>& shapes, std::span<const Tinted
   return settled(effects);
 }
 
+/// A bound as it is printed, with two digits and not below what it is.
+inline double rounded_up(double bound) {
+  if (!(bound > 0)) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(bound)) - 1);
+  return unit * std::ceil(bound / unit);
+}
+
 /// What is followed, and a bound on what each omission costs, in words.
 inline std::string described(const Effects& effects) {
   std::ostringstream text;
@@ -73,14 +81,14 @@ inline std::string described(const Effects& effects) {
     text << "polarisation followed";
   else
     text << "no polarisation";
-  if (effects.bounds.polarization > 0) text << " (error below " << effects.bounds.polarization << ")";
+  if (effects.bounds.polarization > 0) text << " (error below " << rounded_up(effects.bounds.polarization) << ")";
   if (effects.max_bounces == vcavity::all_bounces)
     text << ", all bounces";
   else
     text << ", at most " << effects.max_bounces << (effects.max_bounces == 1 ? " bounce" : " bounces")
-         << " (error below " << effects.bounds.bounces << ")";
+         << " (error below " << rounded_up(effects.bounds.bounces) << ")";
   text << (effects.double_precision ? ", double" : ", single") << " precision";
-  if (effects.bounds.rounding > 0) text << " (error below " << effects.bounds.rounding << ")";
+  if (effects.bounds.rounding > 0) text << " (error below " << rounded_up(effects.bounds.rounding) << ")";
   return text.str();
 }
 
