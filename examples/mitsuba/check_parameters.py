@@ -73,7 +73,6 @@ REFUSED = [
 # Of the vectorised variants only.
 REFUSED_VECTORISED = [
     ({"material": "Cu", "aperture": 1.0}, "an aperture must not be less than 2"),
-    ({"material": "Cu", "distribution": "ggx"}, "a distribution needs a scalar variant"),
     ({"material": "Cu", "distribution": "ggx", "polarized": True}, "do not follow polarisation in vectorised variants"),
 ]
 
@@ -89,7 +88,9 @@ def main():
         vgroove.load(sys.argv[1] if len(sys.argv) > 1 else None)
         vectorised = vgroove.is_vectorised()
         for parameters in ACCEPTED:
-            if not (vectorised and ("distribution" in parameters or "mesh_attribute" in str(parameters.get("aperture")))):
+            scalar_only = "mesh_attribute" in str(parameters.get("aperture")) or (
+                "distribution" in parameters and "polarized" in parameters)
+            if not (vectorised and scalar_only):
                 mi.load_dict({"type": "vgroove", **parameters})
         for parameters, reason in REFUSED + (REFUSED_VECTORISED if vectorised else []):
             try:

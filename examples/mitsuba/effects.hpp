@@ -81,7 +81,8 @@ inline std::string described(const Effects& effects) {
     text << "polarisation followed";
   else
     text << "no polarisation";
-  if (effects.bounds.polarization > 0) text << " (error below " << rounded_up(effects.bounds.polarization) << ")";
+  if (effects.bounds.polarization > 0)
+    text << " (error below " << rounded_up(effects.bounds.polarization) << ")";
   if (effects.max_bounces == vcavity::all_bounces)
     text << ", all bounces";
   else
