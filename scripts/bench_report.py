@@ -405,8 +405,9 @@ def main():
                                  row.get("items_per_second", ""), row.get("evaluations", "")])
     if options.plot:
         plot(results, options.plot)
-    text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts), kernels(results),
-                      maps(results, core_counts), map_growth(results), reflectance(results), profiles(results), new_grooves(results), bihemispherical(results, sweeps), growth(results),
+    text = "\n".join([machine(runs[0][1]["context"], busy_with_others()), targets(results, core_counts),
+                      kernels(results), maps(results, core_counts), map_growth(results), reflectance(results),
+                      profiles(results), new_grooves(results), bihemispherical(results, sweeps), growth(results),
                       other_ways(cost), fresnel(results), bsdf])
     if not options.into:
         print(text)

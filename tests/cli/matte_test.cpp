@@ -12,8 +12,6 @@
 using nlohmann::json;
 using namespace vcavity;
 
-namespace {}  // namespace
-
 TEST_CASE("table knows matte grooves of one albedo and of two") {
   const json result = result_of("table --finish matte --albedo 0.8,0.9/0.3 --aperture 60,180");
   REQUIRE(result["rows"].size() == 4);
@@ -26,6 +24,13 @@ TEST_CASE("table knows matte grooves of one albedo and of two") {
     CHECK_FALSE(row.contains("material"));
     CHECK(std::abs(row["reflectance"].get<double>() - expected[i]) <= row["error_estimate"].get<double>());
   }
+}
+
+TEST_CASE("an albedo may be a range") {
+  const json rows = result_of("table --finish matte --albedo 0.1:0.9:0.4,0.3 --aperture 60")["rows"];
+  REQUIRE(rows.size() == 4);
+  const char* expected[] = {"0.1", "0.5", "0.9", "0.3"};
+  for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i]["albedo"] == expected[i]);
 }
 
 TEST_CASE("direction tells reflectance and BRDF of a matte groove, which panel is which included") {

@@ -242,6 +242,13 @@ TEST_CASE("slopes take lists and ranges") {
   CHECK(slopes_of("50:60:10/30:40:10,80:40") == Pairs{{100, 10}, {90, 5}, {90, 15}, {80, 10}, {60, 20}});
 }
 
+TEST_CASE("equal slopes are a symmetric groove, at its cost") {
+  const json slopes = result_of("table --material Ag --slopes 70:70 --land 0.2")["rows"][0];
+  const json aperture = result_of("table --material Ag --aperture 40 --land 0.2")["rows"][0];
+  CHECK(slopes["reflectance"] == aperture["reflectance"]);
+  CHECK(slopes["fresnel_evaluations"] == aperture["fresnel_evaluations"]);
+}
+
 TEST_CASE("k that a file does not give is 0 on request for every face and film") {
   const ScratchFolder folder;
   put(folder / "glass.csv", "wl,n\n0.4,1.5\n0.7,1.5\n\nwl,k\n0.6,1e-3\n0.7,1e-3\n");

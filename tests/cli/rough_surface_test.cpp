@@ -73,6 +73,18 @@ TEST_CASE("table has a row for every roughness with an error estimate that holds
   }
 }
 
+TEST_CASE("table has a row for every concentration of brushed grooves") {
+  const json rows = result_of(
+      "table --material 1.5 --distribution brushed --roughness 0.2,0.5 --concentration 0,5:10:5 "
+      "--tolerance 1e-3")["rows"];
+  REQUIRE(rows.size() == 6);
+  const double expected[] = {0, 5, 10};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    CHECK(rows[i]["roughness"] == (i < 3 ? 0.2 : 0.5));
+    CHECK(rows[i]["concentration"] == expected[i % 3]);
+  }
+}
+
 TEST_CASE("options of distributions that do not fit are refused") {
   const std::string material = "direction --theta 0 --phi 0 --material 1.5 ";
   const auto check = [&](const std::string& options, const std::string& expected) {

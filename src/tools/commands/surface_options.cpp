@@ -73,14 +73,14 @@ void check_distribution(const SurfaceOptions& options) {
   if (!options.distribution) {
     if (!options.roughnesses.empty())
       throw UsageError("--roughness: of what is not said, expected --distribution as well");
-    if (options.concentration)
+    if (!options.concentrations.empty())
       throw UsageError("--concentration: only brushed grooves have one, expected --distribution brushed");
     return;
   }
   if (!options.apertures_deg.empty())
     throw UsageError("--aperture: a distribution has grooves of all apertures, expected --roughness alone");
   if (options.roughnesses.empty()) throw UsageError("--roughness is required with --distribution");
-  if (options.concentration && !is_brushed)
+  if (!options.concentrations.empty() && !is_brushed)
     throw UsageError("--concentration: only brushed grooves have one, expected --distribution brushed");
   for (const Roughness& roughness : options.roughnesses)
     if (is_brushed && roughness.along_x != roughness.along_y)
@@ -113,6 +113,20 @@ std::vector<std::string> words_of(const std::string& list) {
   return words;
 }
 
+/// The albedos of a list, in which `LOW:HIGH:STEP` stands for all of a range.
+std::vector<std::string> albedos_of(const std::string& list) {
+  std::vector<std::string> albedos;
+  for (std::string& word : split_list(list, "--albedo")) {
+    if (std::error_code ignored; word.find_first_not_of("0123456789.eE+-:") != word.npos ||
+                                 word.find(':') == word.npos || std::filesystem::exists(word, ignored)) {
+      albedos.push_back(std::move(word));
+      continue;
+    }
+    for (const double albedo : checked_numbers(word, "--albedo", {0, 1})) albedos.push_back(exact(albedo));
+  }
+  return albedos;
+}
+
 std::vector<Finish> finishes_of(const std::string& list) {
   std::vector<Finish> finishes;
   for (const std::string& word : words_of(list)) {
@@ -134,9 +148,10 @@ void add_albedo_options(CLI::App& command, SurfaceOptions& options) {
       ->type_name("mirror|matte");
   command
       .add_option_function<std::string>(
-          "--albedo", [&options](const std::string& list) { options.albedos = split_list(list, "--albedo"); },
-          "what panels reflect at any angle: a number from 0 to 1, an sRGB colour such as '#b87333', a CSV "
-          "file with wavelength_nm,reflectance, or ONE/TWO for the two panels; a list")
+          "--albedo", [&options](const std::string& list) { options.albedos = albedos_of(list); },
+          "what panels reflect at any angle: a number from 0 to 1, a range LOW:HIGH:STEP, an sRGB colour "
+          "such as "
+          "'#b87333', a CSV file with wavelength_nm,reflectance, or ONE/TWO for the two panels; a list")
       ->type_name("A[,A...]");
   command
       .add_option("--specular", options.specular,
@@ -190,10 +205,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
           [&options](const std::string& words) { options.roughnesses = roughnesses_of(words); },
           "of a distribution, 1e-6 to 1000; AX:AY along x and along y; a list A,B,C or a range LOW:HIGH:STEP")
       ->type_name("A|AX:AY[,...]");
-  add_number(command, "--concentration", options.concentration, concentration_range,
-             "of the azimuth of brushed grooves about x, 0 (none) to 1e6 (default " +
-                 exact(default_concentration) + ")")
-      ->type_name("K");
+  add_numbers(command, "--concentration", options.concentrations, concentration_range,
+              "of the azimuth of brushed grooves about x, 0 (none) to 1e6 (default " +
+                  exact(default_concentration) + ")")
+      ->type_name("K[,K...]");
   add_albedo_options(command, options);
 }
 
@@ -228,7 +243,10 @@ std::vector<SurfaceDescription> surfaces_of(const SurfaceOptions& options) {
     surface.roughness = roughness;
     surface.roughness->distribution = *options.distribution;
     if (options.distribution == Roughness::Distribution::brushed)
-      surface.roughness->concentration = options.concentration.value_or(default_concentration);
+      surface.roughness->concentration = default_concentration;
+  });
+  vary(surfaces, options.concentrations, [](SurfaceDescription& surface, double concentration) {
+    surface.roughness->concentration = concentration;
   });
   return surfaces;
 }

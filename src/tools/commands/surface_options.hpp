@@ -21,8 +21,8 @@ struct SurfaceOptions {
   std::vector<std::string> films;  ///< M:NM each, the top one first
   ProfileOptions profiles;
   std::optional<Roughness::Distribution> distribution;
-  std::vector<Roughness> roughnesses;  ///< along x and along y; the rest is in the other two options
-  std::optional<double> concentration;
+  std::vector<Roughness> roughnesses;   ///< along x and along y; the rest is in the other two options
+  std::vector<double> concentrations;   ///< of brushed grooves
   std::vector<Finish> finishes;         ///< of panels with an albedo
   std::vector<std::string> albedos;     ///< in place of materials, see load_albedos()
   std::optional<std::string> specular;  ///< of matte panels, see `Albedo`
