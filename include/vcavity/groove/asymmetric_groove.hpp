@@ -272,21 +272,6 @@ class AsymmetricSharedBounces {
     return all_of(Real(groove_.length(ray.panel()) * ray.normal_component()) > surely_reached_);
   }
 
-  /// How often all of these rays surely bounce, as if all images were as short as the shorter panel.
-  /// @param first the ray at its first bounce
-  /// @param most no more than these matter
-  int count(const UnfoldedRay<Real>& first, int most) const {
-    const Scalar shorter = std::min(groove_.length(Panel::one), groove_.length(Panel::two));
-    const Real size = std::hypot(first.normal_component(), first.tangent_component());
-    const Real least_sine = groove_.length(first.panel()) / shorter * (first.normal_component() / size);
-    if (!(least_sine < Real(1))) return 0;
-    const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
-    const Real least_angle = std::asin(least_sine);
-    if (first_angle + groove_.aperture() < least_angle) return 0;
-    const Real bounces = (pi<Real>() - least_angle - first_angle) / groove_.aperture() - Real(1);
-    return whole_at_most(bounces, most);
-  }
-
  private:
   const AsymmetricGroove<Scalar>& groove_;
   Real surely_reached_;  // a rim farther out than this
@@ -299,6 +284,24 @@ template <class Scalar, class Real>
 VCAVITY_INLINE AsymmetricSharedBounces<Real> shared_bounces(const AsymmetricGroove<Scalar>& groove,
                                                             const UnfoldedRay<Real>& first) {
   return AsymmetricSharedBounces<Real>(groove, first);
+}
+
+/// How often all rays surely bounce that meet a panel first, as if all images were as short as the shorter panel.
+/// @param groove the groove
+/// @param first the panel met first
+/// @param normal,tangent components of the direction towards the light at the first bounce, see `UnfoldedRay`
+/// @param most no more than these matter
+template <std::floating_point Real>
+int count_shared_bounces(const AsymmetricGroove<Real>& groove, Panel first, const Real& normal,
+                         const Real& tangent, int most) {
+  const Real shorter = std::min(groove.length(Panel::one), groove.length(Panel::two));
+  const Real least_sine = groove.length(first) / shorter * (normal / std::hypot(normal, tangent));
+  if (!(least_sine < Real(1))) return 0;
+  const Real first_angle = std::atan2(normal, tangent);
+  const Real least_angle = std::asin(least_sine);
+  if (first_angle + groove.aperture() < least_angle) return 0;
+  const Real bounces = (pi<Real>() - least_angle - first_angle) / groove.aperture() - Real(1);
+  return whole_at_most(bounces, most);
 }
 
 /// The opening of an asymmetric groove in the light of a direction.

@@ -57,11 +57,9 @@ inline constexpr bool cheaper_than_branch<Pack<Real, size, bytes>> = true;
 template <class Real>
 class SharedBounces {
  public:
-  /// @param cavity must outlive this
   /// @param first the ray at its first bounce
-  VCAVITY_INLINE SharedBounces(const Cavity<scalar_t<Real>>& cavity, const UnfoldedRay<Real>& first)
-      : cavity_(cavity),
-        surely_reached_(first.normal_component() +
+  VCAVITY_INLINE explicit SharedBounces(const UnfoldedRay<Real>& first)
+      : surely_reached_(first.normal_component() +
                         Real(scalar_t<Real>(16) * std::numeric_limits<scalar_t<Real>>::epsilon())) {}
 
   /// Whether all rays surely bounce at an image too, at the cost of a comparison: c_j > c_1, by more than
@@ -71,35 +69,35 @@ class SharedBounces {
     return all_of(ray.normal_component() > surely_reached_);
   }
 
-  /// How often all rays surely bounce: until the angle has passed a right one and is as far beyond it as it began
-  /// before it.
-  /// @param first the ray at its first bounce
-  /// @param most no more than these matter
-  int count(const UnfoldedRay<Real>& first, int most) const {
-    const Real first_angle = std::atan2(first.normal_component(), first.tangent_component());
-    const Real bounces = (pi<Real>() - Real(2) * first_angle) / cavity_.aperture() - Real(1);
-    return whole_at_most(bounces, most);
-  }
-
  private:
-  const Cavity<scalar_t<Real>>& cavity_;
   Real surely_reached_;  // a normal component above this
 };
 
 /// Until where all rays bounce together. Grooves of other shapes overload this.
-/// @param groove must outlive the result
 /// @param first the ray at its first bounce
 template <class Scalar, class Real>
-VCAVITY_INLINE SharedBounces<Real> shared_bounces(const Cavity<Scalar>& groove,
-                                                  const UnfoldedRay<Real>& first) {
-  return SharedBounces<Real>(groove, first);
+VCAVITY_INLINE SharedBounces<Real> shared_bounces(const Cavity<Scalar>&, const UnfoldedRay<Real>& first) {
+  return SharedBounces<Real>(first);
 }
 
-/// Where light goes on bounce by bounce.
-template <class Real, class Value>
-struct Continuation {
-  UnfoldedRay<Real> ray;  ///< at the next bounce
-  Value throughput;       ///< of the bounces before
+/// How often all rays surely bounce that meet a panel first: until the angle has passed a right one and is as far beyond
+/// it as it began before it. Grooves of other shapes overload this.
+/// @param groove the groove
+/// @param normal,tangent components of the direction towards the light at the first bounce, see `UnfoldedRay`
+/// @param most no more than these matter
+template <std::floating_point Real>
+int count_shared_bounces(const Cavity<Real>& groove, Panel, const Real& normal, const Real& tangent,
+                         int most) {
+  const Real first_angle = std::atan2(normal, tangent);
+  const Real bounces = (pi<Real>() - Real(2) * first_angle) / groove.aperture() - Real(1);
+  return whole_at_most(bounces, most);
+}
+
+/// Bounces that have been done at once.
+template <class Value>
+struct ManyBounces {
+  int count;
+  Value throughput;  ///< of all of them
 };
 
 /// Facets of which many bounces can be done at once: functions of the cosine with numbers for values.
@@ -107,38 +105,41 @@ template <class Facet, class Real>
 concept ManyAtOnce = std::floating_point<Real> && std::floating_point<value_t<Facet, Real>> &&
                      std::invocable<const Facet&, const Real&>;
 
-/// Does many bounces at once, all of which reach every ray of the first panel. Does nothing where that does not
-/// pay, or the reflectance is not positive.
+/// Does many bounces at once, all of which reach every ray of the first panel. Does nothing where that does not pay.
+/// Takes numbers, no ray: the address of one that lives in registers would put it into memory.
 /// @param facet facet reflectance
-/// @param ray at its first bounce
-/// @param shared bounces of its first panel
-/// @param aperture of the groove
+/// @param groove the groove
+/// @param first the panel met first
+/// @param normal,tangent components of the direction towards the light at the first bounce, see `UnfoldedRay`
 /// @param max_bounces none beyond these is done
-template <class Real, ManyAtOnce<Real> Facet, class Shared>
-VCAVITY_NOINLINE Continuation<Real, value_t<Facet, Real>> reflect_many(
-    const Facet& facet, UnfoldedRay<Real> ray, const Shared& shared, const Real& aperture, int max_bounces) {
+template <std::floating_point Real, ManyAtOnce<Real> Facet, class Groove>
+VCAVITY_NOINLINE ManyBounces<value_t<Facet, Real>> reflect_many(const Facet& facet, const Groove& groove,
+                                                                Panel first, Real normal, Real tangent,
+                                                                int max_bounces) {
   using Value = value_t<Facet, Real>;
   constexpr int least_log2 = 7;  // shorter series are done bounce by bounce
-  const Real first_angle = std::atan2(ray.normal_component(), ray.tangent_component());
-  const Real size = std::hypot(ray.normal_component(), ray.tangent_component());
-  int left = std::min(max_bounces, shared.count(ray, max_bounces)) - 1;
+  const Real first_angle = std::atan2(normal, tangent);
+  const Real size = std::hypot(normal, tangent);
+  const Real aperture = groove.aperture();
+  const int shared = count_shared_bounces(groove, first, normal, tangent, max_bounces);
+  int left = std::min(max_bounces, shared) - 1;
   const auto log_reflectance = [&](const Real& index) {
     const Value reflectance = facet(size * std::sin(first_angle + (index - Real(1)) * aperture));
     return static_cast<Real>(std::log(at_least(reflectance, std::numeric_limits<Value>::min())));
   };
-  Value throughput(1);
+  ManyBounces<Value> done{0, Value(1)};
   int log2 = 28;
   while (left >= 1 << least_log2) {
     while (1 << log2 > left) --log2;
     const int count = 1 << log2;
-    const auto sum = progression_sum<Real>(log_reflectance, ray.number(), log2,
+    const auto sum = progression_sum<Real>(log_reflectance, 1 + done.count, log2,
                                            Real(3 * count) * std::numeric_limits<Real>::epsilon());
     if (!sum) break;
-    throughput *= static_cast<Value>(std::exp(*sum));
-    ray.advance(count);
+    done.throughput *= static_cast<Value>(std::exp(*sum));
+    done.count += count;
     left -= count;
   }
-  return {ray, throughput};
+  return done;
 }
 
 /// The value of a facet for the bounce at which a ray is; of which a function of the cosine need not know all.
@@ -179,10 +180,10 @@ class LongSeries {
   VCAVITY_INLINE void begin(UnfoldedRay<Real>& ray, Value& throughput) const {
     if constexpr (ManyAtOnce<Facet, Real>) {
       if (most_ < narrow_groove) return;
-      // By reference, `shared_` would have to stand in memory.
-      const auto rest = reflect_many(facet_, ray, shared_bounces(groove_, ray), groove_.aperture(), most_);
-      ray = rest.ray;
-      throughput = rest.throughput;
+      const ManyBounces<Value> done =
+          reflect_many(facet_, groove_, ray.panel(), ray.normal_component(), ray.tangent_component(), most_);
+      ray.advance(done.count);
+      throughput = done.throughput;
     }
   }
 

@@ -51,7 +51,8 @@ Vec3<Real> exit_direction(const Cavity<Scalar>&, const UnfoldedRay<Real>& ray) {
 ///  - `lit_opening(groove, e)`, the first panels, and for each the fractions of the opening whose rays reach a
 ///    bounce; its members are those of `LitOpening`;
 ///  - `exit_direction(groove, ray)`, back in the frame of the groove;
-///  - `shared_bounces(groove, ray)`, until where all light bounces together; members as in `SharedBounces`.
+///  - `shared_bounces(groove, ray)`, until where all light bounces together, with members as in `SharedBounces`; and, for
+///    numbers, `count_shared_bounces(groove, first, normal, tangent, most)`, how often it does.
 /// @tparam Real number type of a direction, or a `Pack` of them
 template <class Groove, class Real>
 concept UnfoldableGroove = requires(const Groove& groove, const Vec3<Real>& e, const UnfoldedRay<Real>& ray) {
