@@ -34,8 +34,9 @@ def main():
     for roughness in ROUGHNESSES:
         ours = {"type": "vgroove", "distribution": "ggx", "roughness": roughness}
         theirs = {"type": "roughconductor", "distribution": "ggx", "alpha": roughness}
-        ratio = (vgroove.seconds(mi.load_dict({**ours, "material": "Cu"}), 32, 4)
-                 / vgroove.seconds(mi.load_dict({**theirs, "material": "Cu"}), 32, 4))
+        of_ours, of_theirs = vgroove.least_seconds(
+            [mi.load_dict({**surface, "material": "Cu"}) for surface in (ours, theirs)], 32, 4)
+        ratio = of_ours / of_theirs
         for angle in ANGLES_DEG:
             values = [albedo(mi.load_dict({"material": "none", **bsdf}), math.radians(angle), options.samples)
                       for bsdf in (theirs, {**ours, "max_bounces": 1}, ours)]

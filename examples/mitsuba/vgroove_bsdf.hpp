@@ -465,15 +465,19 @@ auto with_types(const GrooveParameters<Float, Spectrum>& parameters, Use&& use) 
     return parameters.effects.polarization ? finished(Following<Real, true>{}, variation)
                                            : finished(Following<Real, false>{}, variation);
   };
-  const auto varied = [&](auto variation) {
-    // Plans of rough surfaces never ask for double precision.
-    if (parameters.is_rough())
-      return parameters.effects.polarization ? rough(Following<float, true>{}, variation)
-                                             : rough(Following<float, false>{}, variation);
+  const auto in_precision = [&](auto variation) {
     return parameters.effects.double_precision ? grooved(double{}, variation) : grooved(float{}, variation);
   };
-  if (parameters.varies() || parameters.tint_varies()) return varied(Varying{});
-  return parameters.tinted ? varied(UniformTinted{}) : varied(Uniform{});
+  const bool varying = parameters.varies() || parameters.tint_varies();
+  if (!parameters.is_rough())
+    return varying || parameters.tinted ? in_precision(Varying{}) : in_precision(Uniform{});
+  // Plans of rough surfaces never ask for double precision.
+  const auto followed = [&](auto variation) {
+    return parameters.effects.polarization ? rough(Following<float, true>{}, variation)
+                                           : rough(Following<float, false>{}, variation);
+  };
+  if (varying) return followed(Varying{});
+  return parameters.tinted ? followed(UniformTinted{}) : followed(Uniform{});
 }
 
 NAMESPACE_END(mitsuba)
