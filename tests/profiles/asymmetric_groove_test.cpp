@@ -301,6 +301,46 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("eight digits of wide grooves with unequal panels take fewer than 24,000 evaluations") {
+  for (const double aperture_deg : {60.0, 90.0, 120.0, 150.0}) {
+    const double aperture = radians(aperture_deg);
+    const AsymmetricGroove<double> groove(aperture, 0.3 * std::min(aperture, pi<double>() - aperture));
+    const auto check = [&](const auto& facet) {
+      const auto result = bihemispherical_reflectance(groove, facet, 1e-8);
+      CAPTURE(aperture_deg, result.evaluations);
+      CHECK(result.error <= 1e-8);
+      CHECK(std::abs(result.value - bihemispherical_reflectance(groove, facet, 1e-12).value) <= result.error);
+      CHECK(result.evaluations < 24'000);
+    };
+    check(Conductor<double>(0.1249, 3.3391));
+    check(Dielectric<double>(1.5));
+  }
+}
+
+TEST_CASE("mirrors with unequal panels, which lose light only near grazing, have an honest error estimate") {
+  const AsymmetricGroove<double> groove(radians(144.5663), radians(-12.4967));
+  const auto mirror = polarized(Conductor<double>(0.0771, 79.2742));
+  const double exact = bihemispherical_reflectance(groove, mirror, 1e-13).value;
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    const auto result = bihemispherical_reflectance(groove, mirror, tolerance);
+    CHECK(std::abs(result.value - exact) <= result.error);
+    CHECK(result.error <= tolerance);
+  }
+}
+
+TEST_CASE("narrow grooves with unequal panels of n < 1 end in bounded work, with some digits") {
+  for (const double aperture_deg : {3.0, 1.0}) {
+    const double aperture = radians(aperture_deg);
+    const Dielectric<double> facet(0.7);
+    const auto tilted = bihemispherical_reflectance(AsymmetricGroove<double>(aperture, 0.0), facet, 1e-8);
+    const auto symmetric = bihemispherical_reflectance(Cavity<double>(aperture), facet, 1e-8);
+    CAPTURE(aperture_deg, tilted.value, symmetric.value, tilted.error);
+    CHECK(std::abs(tilted.value - symmetric.value) <= tilted.error + symmetric.error);
+    CHECK(tilted.error <= 2e-2);
+    CHECK(tilted.evaluations < 51'000'000);
+  }
+}
+
 TEST_CASE("the BSDF of an asymmetric groove draws its lobes, and its samples add up to the albedo") {
   Dice dice(13);
   const Conductor<double> metal(3.2, 3.3);

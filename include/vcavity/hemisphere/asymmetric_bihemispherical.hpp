@@ -9,8 +9,9 @@
 /// P_j − P_i, where two rims stand behind each other; i is 0, 1, 2 or j − 1. Between them, and between the angles at which
 /// a bounce passes the critical one, the integrand is smooth (adaptive_hemisphere.hpp).
 ///
-/// When not to use it: for symmetric grooves of one material, which need some thirty times fewer evaluations; and think
-/// twice for apertures below 1°, which take many seconds.
+/// When not to use it: for symmetric grooves of one material, which need some five times fewer evaluations. Below some 3°
+/// rays of all numbers of bounces make more kinks than 5·10⁷ evaluations suffice for: what is known by then is returned,
+/// with an estimate that says so.
 
 #include <algorithm>
 #include <cmath>

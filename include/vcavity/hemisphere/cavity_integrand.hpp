@@ -251,7 +251,7 @@ class CavityIntegrand {
       if constexpr (!std::invocable<const Facet&, const Real&>) {
         const double digits = -std::log10(static_cast<double>(negligible_));
         for (auto& piece : pieces)
-          piece.order = static_cast<std::size_t>((piece.low == Real(0) ? 3.2 : 1.4) * digits) / 4 * 4;
+          piece.order = static_cast<std::size_t>((piece.low == Real(0) ? 2.2 : 1.8) * digits) / 4 * 4;
       }
     }
 

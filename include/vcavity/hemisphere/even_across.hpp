@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Quadrature across a narrow groove by two nodes.
+/// Quadrature across a narrow groove by two or three nodes.
 ///
 /// Method. Where rays of all numbers of bounces that count reach every angle u in [0, α/2], the integrand is
 /// sin(α/2 − u) h(u²), with an h that in narrow grooves is almost constant: u moves every bounce by less than half an
-/// aperture. The Gauss rule of two nodes in u² for that weight is exact for h up to u⁶. The error is that of the term of
-/// u⁸, estimated from the slope of h, from the distance of the next singularity, and from the number of factors that
-/// change with u, some 1/α, each by the square of it.
+/// aperture. The Gauss rule of n nodes in u² for that weight is exact for h up to u^(4n − 2); its nodes are the zeros of the
+/// orthogonal polynomial (Stieltjes' procedure; Gautschi, "Orthogonal Polynomials", 2004, section 2.2.3). The error is
+/// that of the term of u^(4n), estimated from the slope of h, from the distance of the next singularity, and from the
+/// number of factors that change with u, some 1/α, each by the square of it.
 ///
 /// When not to use it: for facets with a critical angle, and for grooves of few bounces.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
+#include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
 
 namespace vcavity::detail {
 
-/// The rule for one aperture, in s = u/(α/2).
-template <class Real>
+/// The rule for one aperture, in t = (u/(α/2))².
+template <class Real, std::size_t count>
 class EvenAcross {
  public:
   struct Node {
     Real u;
     Real weight;  ///< of the integrand itself
+    Real hat;     ///< sin(α/2 − u)
   };
 
   /// @param aperture α
@@ -33,36 +38,50 @@ class EvenAcross {
     using std::sin;
     using std::sqrt;
     const Real half = aperture / Real(2);
-    const auto hat = [&](const Real& s) { return sin(half * (Real(1) - s)); };
-    std::array<Real, 5> moments{};  // ∫ hat s^(2k) ds
     constexpr std::size_t enough_nodes = 12;
-    for (const auto& node : gauss_legendre<Real>(enough_nodes)) {
-      const Real s = (Real(1) + node.x) / Real(2);
-      Real term = node.weight / Real(2) * hat(s);
-      for (Real& moment : moments) {
-        moment += term;
-        term *= s * s;
-      }
+    struct Weighted {
+      Real t, weight;
+    };
+    std::array<Weighted, enough_nodes> measure;
+    const auto legendre = gauss_legendre<Real>(enough_nodes);
+    for (std::size_t i = 0; i < enough_nodes; ++i) {
+      const Real s = (Real(1) + legendre[i].x) / Real(2);
+      measure[i] = {s * s, half * legendre[i].weight / Real(2) * sin(half * (Real(1) - s))};
     }
-    // The polynomial s⁴ + b s² + c that is orthogonal to 1 and s².
-    const Real determinant = moments[1] * moments[1] - moments[0] * moments[2];
-    const Real b = (moments[0] * moments[3] - moments[1] * moments[2]) / determinant;
-    const Real c = (moments[2] * moments[2] - moments[1] * moments[3]) / determinant;
-    missed_ = half * (moments[4] + b * moments[3] + c * moments[2]);
-    const Real root = sqrt(b * b / Real(4) - c);
-    squares_ = {-b / Real(2) - root, -b / Real(2) + root};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Real other = squares_[1 - i], s = sqrt(squares_[i]);
-      const Real weight = (moments[1] - other * moments[0]) / (squares_[i] - other);
-      nodes_[i] = {half * s, half * weight / hat(s)};
-      hats_[i] = hat(s);
+    for (std::size_t k = 0; k <= count; ++k) {
+      Real moment(0);
+      for (const Weighted& at : measure) {
+        const Real value = polynomials(at.t, k).value[k];
+        norm_[k] += at.weight * value * value;
+        moment += at.weight * value * value * at.t;
+      }
+      if (k < count) centre_[k] = moment / norm_[k];
+    }
+    // The zeros, divided out one by one; each is approached from below.
+    for (std::size_t i = 0; i < count; ++i) {
+      Real t(0);
+      constexpr int enough_steps = 60;
+      for (int step = 0; step < enough_steps; ++step) {
+        const Polynomials p = polynomials(t, count);
+        Real divided(0);
+        for (std::size_t j = 0; j < i; ++j) divided += Real(1) / (t - squares_[j]);
+        const Real move = p.value[count] / (p.slope[count] - p.value[count] * divided);
+        t -= move;
+        if (magnitude(move) < std::numeric_limits<Real>::epsilon()) break;
+      }
+      squares_[i] = t;
+      Real sum(0);
+      const Polynomials p = polynomials(t, count);
+      for (std::size_t k = 0; k < count; ++k) sum += p.value[k] * p.value[k] / norm_[k];
+      const Real s = sqrt(t), hat = sin(half * (Real(1) - s));
+      nodes_[i] = {half * s, Real(1) / (sum * hat), hat};
     }
   }
 
-  const std::array<Node, 2>& nodes() const { return nodes_; }
+  const std::array<Node, count>& nodes() const { return nodes_; }
 
   /// Estimate of the error of the rule.
-  /// @param difference, size of h at the nodes: the largest part of the difference, and of h
+  /// @param difference, size of h at the first nodes: the largest part of the difference, and of h
   /// @param distance in u of the next singularity
   double error(double difference, double size, double distance) const {
     constexpr double safety = 25;  // as for series (legendre_series.hpp)
@@ -73,17 +92,34 @@ class EvenAcross {
     const double slope = difference / static_cast<double>(squares_[1] - squares_[0]);
     const double nearness = half / distance;
     const double fall = std::max({slope / largest, nearness * nearness, static_cast<double>(aperture_)});
-    return safety * largest * std::pow(fall, 4) * static_cast<double>(missed_);
+    // The norm of the polynomial of the nodes is what the rule makes of t^(2n), wrongly.
+    return safety * largest * std::pow(fall, 2 * static_cast<double>(count)) *
+           static_cast<double>(norm_[count]);
   }
 
-  /// The weight of the integrand at a node.
-  const Real& hat(std::size_t node) const { return hats_[node]; }
-
  private:
+  struct Polynomials {
+    std::array<Real, count + 1> value, slope;
+  };
+
+  /// p_(k + 1) = (t − a_k) p_k − b_k p_(k − 1) up to a degree, b_k being the ratio of the norms of p_k and p_(k − 1).
+  Polynomials polynomials(const Real& t, std::size_t degree) const {
+    Polynomials p{{Real(1)}, {Real(0)}};
+    for (std::size_t k = 0; k < degree; ++k) {
+      p.value[k + 1] = (t - centre_[k]) * p.value[k];
+      p.slope[k + 1] = p.value[k] + (t - centre_[k]) * p.slope[k];
+      if (k == 0) continue;
+      const Real ratio = norm_[k] / norm_[k - 1];
+      p.value[k + 1] -= ratio * p.value[k - 1];
+      p.slope[k + 1] -= ratio * p.slope[k - 1];
+    }
+    return p;
+  }
+
   Real aperture_;
-  Real missed_;  ///< ∫ of the square of the polynomial of the nodes: what the rule makes of s⁸, wrongly
-  std::array<Real, 2> squares_, hats_;
-  std::array<Node, 2> nodes_;
+  std::array<Real, count> centre_{}, squares_{};
+  std::array<Real, count + 1> norm_{};  ///< ∫ of the square of a polynomial with the weight
+  std::array<Node, count> nodes_;
 };
 
 }  // namespace vcavity::detail

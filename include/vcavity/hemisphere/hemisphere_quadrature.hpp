@@ -76,7 +76,10 @@ class HemisphereQuadrature {
     negligible_ = static_cast<Real>(std::min(0.05 * along_tolerance_, 0.1));
     const double across_tolerance = 0.5 * all;
     auto result = AdaptiveIntegral<Value>{Value(0), across_tolerance * 2, 0};
-    if (pieces.size() == 1 && integrand_.even_across()) result = by_two_nodes(across_tolerance);
+    if (pieces.size() == 1 && integrand_.even_across()) {
+      result = by_few_nodes<2>(across_tolerance);
+      if (result.error > across_tolerance) result = by_few_nodes<3>(across_tolerance);
+    }
     if (result.error > across_tolerance)
       result = integrate_adaptively<Real, Value>(
           pieces, across_tolerance,
@@ -118,20 +121,24 @@ class HemisphereQuadrature {
   bool is_exhausted() const { return evaluations_ >= limit_; }
 
   /// The outer integral of an integrand that is almost even (even_across.hpp).
-  AdaptiveIntegral<Value> by_two_nodes(double tolerance) {
-    const EvenAcross<Real> rule(integrand_.aperture());
+  template <std::size_t count>
+  AdaptiveIntegral<Value> by_few_nodes(double tolerance) {
+    const EvenAcross<Real, count> rule(integrand_.aperture());
     const double distance = integrand_.singularity_across();
     AdaptiveIntegral<Value> result{Value(0), 0, 0};
-    std::array<Value, 2> even{};
-    for (std::size_t i = 0; i < 2; ++i) {
+    Value first(0);
+    double difference = 0, size = 0;
+    for (std::size_t i = 0; i < count; ++i) {
       const auto& node = rule.nodes()[i];
       const auto along = integrand_.at(node.u, negligible_);
       const auto inner = integral_along(along);
       result.value = result.value + static_cast<Scalar>(node.weight) * inner.value;
       result.noise += static_cast<double>(node.weight) * error_along(along, inner);
-      even[i] = static_cast<Scalar>(Real(1) / rule.hat(i)) * inner.value;
-      const double difference = static_cast<double>(largest(Value(even[i] + Scalar(-1) * even[0])));
-      result.error = rule.error(difference, static_cast<double>(largest(even[i])), distance);
+      const Value even = static_cast<Scalar>(Real(1) / node.hat) * inner.value;
+      if (i == 0) first = even;
+      if (i == 1) difference = static_cast<double>(largest(Value(even + Scalar(-1) * first)));
+      size = std::max(size, static_cast<double>(largest(even)));
+      result.error = rule.error(difference, size, distance);
       if (!(result.error <= tolerance)) break;
     }
     return result;

@@ -135,8 +135,9 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
     const PieceEstimate<Value> result = estimate(piece, rule);
     const SeriesEstimate series = series_estimate(rule, result.sizes, piece.decay, result.series_noise);
     constexpr double lasting = 0.8;  // of the fall that is seen
+    const double seen = lasting * degrees_per_node(piece) * series.fall;
     return Work{piece, result, series.error,
-                std::max(rate_per_node(piece), lasting * degrees_per_node(piece) * series.fall)};
+                piece.decay.trust < 1 ? seen : std::max(rate_per_node(piece), seen)};
   };
 
   std::vector<Work> heap;  // the largest error first
