@@ -88,20 +88,22 @@ class VGrooveRoughLanes final : public LanesBsdf<Float, Spectrum> {
     const Axes axes = axes_at(si, active);
     const auto bsdf = bsdf_at(si, active);
     const Axes fixed_axes{dr::detach(axes.cosine), dr::detach(axes.sine)};
-    const auto ray = vcavity::LockstepRoughBsdf(points_at(si, active), bsdf.max_bounces())
-                         .draw(fixed_axes.to_groove(vector(Vector3f(dr::detach(si.wi)))), Real(u_ray),
-                               {Real(u_groove.x()), Real(u_groove.y())});
-    result.wo = dr::detach(vector(fixed_axes.from_groove(ray.leaving())));
-    const auto both =
-        bsdf.evaluate_with_pdf(axes.to_groove(vector(si.wi)), axes.to_groove(vector(result.wo)));
-    const Float density = dr::detach(both.pdf.array);
-    active &= si.wi.z() >= 0.f && ray.way().bounces.array <= static_cast<float>(bsdf.max_bounces()) &&
-              density >= vcavity::smallest_divisor<float>() && density <= dr::Largest<float>;
+    const auto drawn = bsdf.draw(fixed_axes.to_groove(vector(Vector3f(dr::detach(si.wi)))), Real(u_ray),
+                                 {Real(u_groove.x()), Real(u_groove.y())});
+    result.wo = dr::detach(vector(fixed_axes.from_groove(drawn.ray.leaving())));
+    active &= si.wi.z() >= 0.f && drawn.ray.way().bounces.array <= static_cast<float>(bsdf.max_bounces());
+    const Vector wo = axes.to_groove(vector(si.wi)), wi = axes.to_groove(vector(result.wo));
+    const auto all = bsdf.evaluate_with_pdf(wo, wi);
+    const Mask is_missed = active && !is_density(all.pdf.array);
+    const auto alone = bsdf.evaluate_drawn(wo, wi, drawn, vgroove::LaneMask<Mask>{is_missed});
+    const Float density = dr::detach(dr::select(is_missed, alone.pdf.array, all.pdf.array));
+    const UnpolarizedSpectrum value = dr::select(is_missed, alone.value.array, all.value.array);
+    active &= is_density(density);
     result.pdf = dr::select(active, density, 0.f);
     result.eta = 1.f;
     result.sampled_type = +kind_;
     result.sampled_component = 0;
-    return {result, dr::select(active, depolarizer<Spectrum>(UnpolarizedSpectrum(both.value.array / density)),
+    return {result, dr::select(active, depolarizer<Spectrum>(UnpolarizedSpectrum(value / density)),
                                dr::zeros<Spectrum>())};
   }
 
@@ -137,6 +139,11 @@ class VGrooveRoughLanes final : public LanesBsdf<Float, Spectrum> {
   MI_DECLARE_CLASS(VGrooveRoughLanes)
 
  private:
+  /// Whether a density is finite, and so is its inverse.
+  static Mask is_density(const Float& x) {
+    return x >= vcavity::smallest_divisor<float>() && x <= dr::Largest<float>;
+  }
+
   using Points = RoughPoints<Finish, Real, Values>;
 
   Points points_at(const SurfaceInteraction3f& si, Mask active) const {

@@ -68,3 +68,22 @@ TEST_CASE("A rough surface in lockstep is black below the horizon, and knows the
   CHECK(bsdf.evaluate_with_pdf(wo, mirrored).value == Approx(same.evaluate(wo, mirrored)).epsilon(1e-14));
   CHECK(bsdf.evaluate_with_pdf(up, up).value == Approx(same.evaluate(up, up)).epsilon(1e-14));
 }
+
+TEST_CASE("A way drawn in lockstep is one of those that make up the density") {
+  const Surface<BeckmannSlopes<double>> surface{BeckmannSlopes(0.9)};
+  const LockstepRoughBsdf bsdf(surface, 32), one_bounce(surface, 1);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3<double> wo = direction(random);
+    const auto drawn = bsdf.draw(wo, uniform(random), {uniform(random), uniform(random)});
+    const Vec3<double> wi = drawn.ray.leaving();
+    const auto alone = bsdf.evaluate_drawn(wo, wi, drawn, true);
+    REQUIRE(alone.pdf > 0);
+    REQUIRE(alone.pdf < bsdf.pdf(wo, wi) * (1 + 1e-6));
+    REQUIRE(alone.value < alone.pdf);
+    REQUIRE(bsdf.evaluate_drawn(wo, wi, drawn, false).pdf == 0);
+    if (drawn.ray.way().bounces < 2)
+      REQUIRE(alone.value == Approx(one_bounce.evaluate_with_pdf(wo, wi).value).epsilon(1e-6));
+  }
+}

@@ -73,6 +73,13 @@ concept RoughSurface =
     FacetReflectance<std::remove_cvref_t<decltype(std::declval<const Surface&>().facet())>,
                      scalar_t<std::remove_cvref_t<decltype(std::declval<const Surface&>().slopes())>>>;
 
+/// What is drawn of a rough surface.
+template <class Real>
+struct RoughDraw {
+  Vec3<Real> normal;   ///< of panel one of the groove
+  DrawnRay<Real> ray;  ///< in that groove
+};
+
 /// @tparam Surface see above
 /// @tparam Summation how sums are carried out, like `PlainSummation`
 template <RoughSurface Surface, class Summation = PlainSummation>
@@ -127,9 +134,30 @@ class LockstepRoughBsdf {
   /// @param wo unit vector away from the surface
   /// @param u_ray random number, uniform in [0, 1]: of the ray in the groove
   /// @param u_groove two random numbers, uniform in [0, 1]: of the groove
-  /// @return its `leaving()` is a sample of the density `pdf`, if it has no more bounces than the limit
-  DrawnRay<Real> draw(const Vec3<Real>& wo, const Real& u_ray, const Vec2<Real>& u_groove) const {
-    return DrawnRay<Real>(wo, surface_.slopes().sample(u_groove), u_ray);
+  /// @return as derivatives take it as given; its `ray.leaving()` is a sample of the density `pdf`, if it has no more bounces than the limit
+  RoughDraw<Real> draw(const Vec3<Real>& wo, const Real& u_ray, const Vec2<Real>& u_groove) const {
+    const Vec3<Real> normal = surface_.slopes().sample(u_groove);
+    const Vec3<Real> m{Summation::fixed(normal.x), Summation::fixed(normal.y), Summation::fixed(normal.z)};
+    return {m, DrawnRay<Real>(wo, m, u_ray)};
+  }
+
+  /// What a drawn way alone contributes: all there is where rounding of the direction has moved a narrow peak of the
+  /// distribution away from it, so that `evaluate_with_pdf` finds nothing there.
+  /// @param wo, wi unit vectors away from the surface
+  /// @param drawn led from `wo` to `wi`
+  /// @param where the mask of the directions for which this is wanted
+  template <class Mask>
+  BsdfEvaluation<Real, Value> evaluate_drawn(const Vec3<Real>& wo, const Vec3<Real>& wi,
+                                             const RoughDraw<Real>& drawn, const Mask& where) const {
+    const ConnectingGrooves<Real> grooves(wo, wi);
+    const GrooveWays<Real> way = drawn.ray.way();
+    const Real facets = surface_.slopes().density(drawn.normal);
+    const ConnectingGroove<Real> first{Panel::one, 1, way.cos_half, way.sin_half, way.beam};
+    const Real white = select(where,
+                              select(way.bounces > Real(1), grooves.all_ways().densities(way, facets),
+                                     grooves.density(first, facets)),
+                              Real(0));
+    return {scaled(white, throughput(surface_, grooves.cos_eta(), way, white)), white};
   }
 
   /// The bounce limit.
