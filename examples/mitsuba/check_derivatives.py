@@ -33,8 +33,8 @@ CASES = [
     ("GGX 0.2 across 0.7, turned by 30°", {"distribution": "ggx", "alpha_u": 0.2, "alpha_v": 0.7, "rotation": 30.0},
      "rotation", 1.0),
     ("brushed 0.5", {"distribution": "brushed", "roughness": 0.5, "concentration": 20.0}, "roughness", 0.03),
-    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "eta", 0.03),
-    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "k", 0.1),
+    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "eta", 0.02),
+    ("GGX 1", {"distribution": "ggx", "roughness": 1.0}, "k", 0.05),
     ("tinted, GGX 0.8", {"distribution": "ggx", "roughness": 0.8,
                          "specular_reflectance": {"type": "uniform", "value": 0.7}}, "specular_reflectance", 0.02),
 ]

@@ -182,7 +182,7 @@ TEST_CASE("Arrays of a vectorised renderer have the values of each of their roug
     const LockstepRoughBsdf<RoughSurfaceInLanes, MaskedSummation> bsdf(surface, 8);
     const auto both = bsdf.evaluate_with_pdf(wo, wi);
     const Vec3<Real> drawn =
-        bsdf.draw(wo, dice.between(0, 1), {dice.between(0, 1), dice.between(0, 1)}).leaving();
+        bsdf.draw(wo, dice.between(0, 1), {dice.between(0, 1), dice.between(0, 1)}).ray.leaving();
     for (std::size_t i = 0; i < count; ++i) {
       const RoughGrooveBsdf expected(GgxSlopes<float>(lane(surface.roughness, i)), facet_of_colours(), 8);
       const auto value = expected.evaluate_with_pdf(lane(wo, i), lane(wi, i));
