@@ -37,6 +37,19 @@ TEST_CASE("direction prints the BRDF of rough metal, in total and by the number 
   CHECK(full["brdf_cos"].get<double>() == Approx(full["mueller"][0][0].get<double>()).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "next to the mirror direction, where the BRDF is infinite, it has the error of rounded directions") {
+  const std::string from = "direction " + rough_metal + "--theta 30 --phi 90 --toward ";
+  CHECK_FALSE(result_of(from + "30,-89").contains("error_estimate"));
+  CHECK(result_of(from + "30,-90")["error_estimate"].is_null());
+  // Both are this close to the mirror direction, one on either side of it.
+  const json left = result_of(from + "30,-89.9999999"), right = result_of(from + "30,-90.0000001");
+  const double error = left["error_estimate"].get<double>();
+  CHECK(error > 1e-8 * left["brdf"].get<double>());
+  CHECK(error < 1e-4 * left["brdf"].get<double>());
+  CHECK(std::abs(left["brdf"].get<double>() - right["brdf"].get<double>()) < error);
+}
+
 TEST_CASE("axes of an anisotropic surface are those of the directions: AX along +x, AY along +y") {
   // The directions of the reference case "anisotropic", and everything turned by a right angle.
   const json result = result_of(

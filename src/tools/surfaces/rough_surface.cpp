@@ -2,6 +2,8 @@
 #include "tools/surfaces/rough_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -79,7 +81,8 @@ class RoughSurface final : public Surface {
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
     const Vec3<double> o = off_horizon(toward);
     const typename Bsdf::Value value = bsdf_.evaluate(e, o, Transport::importance);
-    return SurfaceBrdf{reflected(typename Bsdf::Value((1 / o.z) * value)), 0};
+    const Reflected brdf = reflected(typename Bsdf::Value((1 / o.z) * value));
+    return SurfaceBrdf{brdf, max_bounces_ > 1 ? error_near_mirror(e, o, brdf.unpolarized) : 0};
   }
 
   std::map<int, double> by_bounces(const Vec3<double>& e) const override {
@@ -108,6 +111,17 @@ class RoughSurface final : public Surface {
   using Bsdf = RoughGrooveBsdf<ChosenSlopes, Model>;
   static constexpr int listed_bounces = 31;  // of the albedo, an integral for each
   static constexpr int listed_parts = 256;   // of a BRDF, of which few exist
+
+  /// The error of the BRDF where the viewer is so close to the mirror direction that rounding of the two directions
+  /// counts: light of two and more bounces grows like 1/|h| there, h the horizontal part of their sum, and in the mirror
+  /// direction itself it is infinite.
+  static double error_near_mirror(const Vec3<double>& e, const Vec3<double>& o, double brdf) {
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    constexpr double matters = 1e-10;
+    const double tilt = std::hypot(e.x + o.x, e.y + o.y);
+    if (!(tilt > rounding)) return std::numeric_limits<double>::infinity();
+    return rounding / tilt > matters ? brdf * rounding / tilt : 0;
+  }
 
   /// At grazing angles the BRDF has a limit, which a small height comes close to.
   static Vec3<double> off_horizon(const Vec3<double>& o) {
