@@ -126,9 +126,9 @@ def measure(variant, options):
         if bound is not None:
             excess = np.abs(mean) - LARGEST_DEVIATION * sigma - bound
             exceeded |= not (excess.max() <= 0 and bound <= tolerance)
-        # Vectorised variants need many paths to be busy with them.
-        timed = 2 * options.samples if vgroove.is_vectorised() else max(1, options.samples // 8)
-        of_full, of_planned = vgroove.least_seconds([mi.load_dict(full(parameters)), planned], timed, 7)
+        # Vectorised variants need more paths to be busy with them.
+        timed = max(1, options.samples // (2 if vgroove.is_vectorised() else 8))
+        of_full, of_planned = vgroove.least_seconds([mi.load_dict(full(parameters)), planned], timed, 5)
         ratio = of_full / of_planned
         print(f"| {name} | {shape}, {light} | {tolerance:g} | {followed} | {'none' if bound is None else f'{bound:.2g}'} | {abs(mean[worst]):.1g} ± "
               f"{sigma[worst]:.1g} | {ratio:.1f} × |", flush=True)

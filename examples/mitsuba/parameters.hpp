@@ -220,11 +220,13 @@ class GrooveParameters {
     return text.str();
   }
 
-  /// Whether the grooves differ from point to point.
-  bool varies() const {
-    return aperture.varies() || tilt.varies() || rotation.varies() || axis ||
-           (is_rough() && (roughness_u->varies() || roughness_v->varies()));
+  /// Whether the shape of the grooves differs from point to point.
+  bool shape_varies() const {
+    return is_rough() ? roughness_u->varies() || roughness_v->varies() : aperture.varies() || tilt.varies();
   }
+
+  /// Whether the shape or the direction of the grooves does.
+  bool varies() const { return shape_varies() || rotation.varies() || axis; }
 
   /// Whether the index differs from point to point.
   bool index_varies() const { return mitsuba::varies(*eta) || mitsuba::varies(*k); }

@@ -304,11 +304,14 @@ class VGroove final : public BSDF<Float, Spectrum> {
   }
 
   /// The shape of all points, if there is one.
-  static auto shape_of_all([[maybe_unused]] const Parameters& parameters) {
-    if constexpr (Variation::varies)
-      return std::nullopt;
-    else
+  static auto shape_of_all(const Parameters& parameters) {
+    if constexpr (Variation::varies) {
+      using Shape = decltype(Finish::template shape<Real>(parameters));
+      return parameters.shape_varies() ? std::optional<Shape>()
+                                       : std::optional<Shape>(Finish::template shape<Real>(parameters));
+    } else {
       return Finish::template shape<Real>(parameters);
+    }
   }
 
   Axes axes_at([[maybe_unused]] const SurfaceInteraction3f& si) const {
@@ -350,7 +353,7 @@ class VGroove final : public BSDF<Float, Spectrum> {
   template <class Facet>
   auto bsdf_at([[maybe_unused]] const SurfaceInteraction3f& si, const Facet& facet) const {
     if constexpr (Variation::varies) {
-      const auto make = [&] { return Finish::template shape_at<Real>(parameters_, si); };
+      const auto make = [&] { return shape_ ? *shape_ : Finish::template shape_at<Real>(parameters_, si); };
       return Finish::template bsdf<Real>(make, facet, parameters_);
     } else {
       return Finish::template bsdf<Real>(shape_, facet, parameters_);
