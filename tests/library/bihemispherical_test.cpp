@@ -519,8 +519,9 @@ TEST_CASE("narrow grooves of n < 1 come down to light that is never refracted, w
     CHECK(result.evaluations < 21'000'000);
   };
   check(Dielectric<double>(0.7), 0.7, 0.3, 1e-10);
-  check(Dielectric<double>(0.7), 0.7, 0.05, 1e-4);
-  check(Dielectric<double>(0.7), 0.7, 0.001, 1e-4);
+  check(Dielectric<double>(0.7), 0.7, 0.05, 1e-5);
+  check(Dielectric<double>(0.7), 0.7, 0.017, 1e-4);
+  check(Dielectric<double>(0.7), 0.7, 0.001, 1e-5);
   check(polarized(Dielectric<double>(0.987667)), 0.987667, 0.001, 1e-4);
 }
 

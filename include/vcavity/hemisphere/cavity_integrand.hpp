@@ -9,6 +9,8 @@
 #include <cmath>
 #include <complex>
 #include <concepts>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -76,6 +78,9 @@ class CavityIntegrand {
     constexpr std::size_t usual = 12;
     return singularities_.total_below() > Real(0) ? usual : max_series_order;
   }
+
+  /// Cuts the range along the groove at no more places than this, for a result of few digits.
+  void take_cuts(std::size_t most) { most_cuts_ = most; }
 
   /// How much the integral is off because of kinks that `pieces_across` does not cut at.
   Real left_uncut() const { return left_uncut_; }
@@ -292,6 +297,13 @@ class CavityIntegrand {
           cuts_.push_back(angle);
         if (!(apart > indistinct)) uncut_ = Real(4) * indistinct;  // of an integrand from 0 to 2, and back
       }
+      // Where there are more than are wanted, pieces that need it are halved.
+      const std::size_t stride = cuts_.size() / integrand_->most_cuts_ + 1;
+      if (stride > 1) {
+        std::size_t kept = 0;
+        for (std::size_t i = stride - 1; i < cuts_.size(); i += stride) cuts_[kept++] = cuts_[i];
+        cuts_.resize(kept);
+      }
       angles_.insert(angles_.begin(), nearly.begin(), nearly.end());
     }
 
@@ -375,6 +387,7 @@ class CavityIntegrand {
   FacetSingularities<Real> singularities_;
   Real left_uncut_{0};
   bool critical_is_lit_ = false;
+  std::size_t most_cuts_ = std::numeric_limits<std::size_t>::max() / 2;
 };
 
 }  // namespace vcavity::detail

@@ -48,10 +48,12 @@ class HemisphereQuadrature {
   Integral<Value> operator()(double tolerance) {
     Integral<Value> best = attempt(tolerance, max_evaluations / 5 * 2);
     if (!is_exhausted()) return best;
+    constexpr std::size_t few_cuts = 8;
     struct Looser {
       double tolerance;
       long long limit;
     };
+    integrand_.take_cuts(few_cuts);
     for (const Looser& next : {Looser{1e-2, max_evaluations / 5 * 3}, Looser{1e-4, max_evaluations}}) {
       const Integral<Value> looser = attempt(std::max(next.tolerance, tolerance), next.limit);
       if (looser.error < best.error) best = looser;
