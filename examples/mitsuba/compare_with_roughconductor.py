@@ -9,26 +9,26 @@ import math
 import mitsuba as mi
 import numpy as np
 
+import vgroove
+
 ROUGHNESSES = (0.05, 0.1, 0.3, 0.6, 1.0)
 ANGLES_DEG = (0, 60)
 
 
 def albedo(bsdf, theta, samples):
     """The mean weight of sampled directions: what is seen in a sky of radiance 1."""
-    context, si = mi.BSDFContext(), mi.SurfaceInteraction3f()
-    si.wi = [math.sin(theta), 0, math.cos(theta)]
-    numbers = np.random.default_rng(1).uniform(size=(samples, 3)).tolist()
-    return np.mean([np.ravel(bsdf.sample(context, si, u[0], u[1:])[1])[0] for u in numbers])
+    wi = np.tile([math.sin(theta), 0, math.cos(theta)], (samples, 1))
+    return np.mean(vgroove.sampled(bsdf, wi, np.random.default_rng(1).uniform(size=(samples, 3)))[2])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--samples", type=int, default=20_000, help="directions per number; 20000 by default")
+    parser.add_argument("--variant", default="scalar_rgb", choices=["scalar_rgb", "llvm_ad_rgb"],
+                        help="Mitsuba's variant; scalar_rgb by default")
     parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
     options = parser.parse_args()
-    mi.set_variant("scalar_rgb")
-    import vgroove
-    vgroove.load(options.plug_in)
+    vgroove.start(options.variant, options.plug_in)
     print("| GGX roughness | θ | roughconductor | vgroove, 1 bounce | vgroove | copper: time of vgroove / roughconductor |")
     print("|---|---|---|---|---|---|")
     for roughness in ROUGHNESSES:
