@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <random>
+#include <type_traits>
 #include <vcavity/vcavity.hpp>
 #include <vector>
 
@@ -229,4 +230,30 @@ TEST_CASE("packs of wavelengths are drawn like single ones") {
       if (lobe.direction == sample->direction)
         CHECK(sample->weight[i] * sample->probability == Approx(lobe.weight * lobe.throughput).epsilon(1e-5));
   }
+}
+
+TEST_CASE("a groove that is made where it stays, by adding angles, is drawn from like any other") {
+  Situations situations(21);
+  int made = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const float aperture = radians(2 + 178 * situations.uniform()), u = situations.uniform();
+    const Vec3<float> wo = situations.direction();
+    const GrooveBsdf expected(Cavity<float>(aperture), copper, LobeChoice::by_weight, 20);
+    const GrooveBsdf bsdf(
+        [&] {
+          ++made;
+          return Cavity<float>::by_addition(aperture);
+        },
+        copper, LobeChoice::by_weight, 20);
+    STATIC_REQUIRE(std::is_same_v<decltype(bsdf), decltype(expected)>);
+    CAPTURE(degrees(aperture), wo.x, wo.y, wo.z, u);
+    CHECK(glm::distance(bsdf.albedo(wo), expected.albedo(wo)) < 2e-5f);
+    const auto sample = bsdf.sample(wo, u), same = expected.sample(wo, u);
+    REQUIRE(sample.has_value() == same.has_value());
+    // Next to the border between two lobes either may be drawn.
+    if (!sample || sample->bounces != same->bounces || sample->first_panel != same->first_panel) continue;
+    CHECK(glm::distance(sample->direction, same->direction) < 1e-5f);
+    CHECK(std::abs(sample->probability - same->probability) < 2e-5f);
+  }
+  CHECK(made == 1000);
 }
