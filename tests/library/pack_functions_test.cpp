@@ -45,6 +45,9 @@ TEMPLATE_TEST_CASE("sines, cosines and exponentials of packs are within two roun
         CHECK(std::abs(found.sine[i] - std::sin(exact)) <= 2 * epsilon);
         CHECK(std::abs(found.cosine[i] - std::cos(exact)) <= 2 * epsilon);
         CHECK(std::abs(lost[i] - std::expm1(exponent)) <= -2 * epsilon * std::expm1(exponent));
+        const long double left = std::exp(exponent);
+        CHECK((std::abs(detail::exponential(Eight<Real>(-magnitude(x)))[i] - left) <= 2 * epsilon * left ||
+               left < 10 * std::numeric_limits<Real>::min()));
       }
     }
 }
@@ -55,6 +58,9 @@ TEMPLATE_TEST_CASE("functions of packs keep what is exact, and numbers of any si
   CHECK(detail::sine_and_cosine(zero).sine == zero);
   CHECK(detail::sine_and_cosine(zero).cosine == Eight<Real>(Real(1)));
   CHECK(detail::exponential_less_one(zero) == zero);
+  CHECK(detail::exponential(zero) == Eight<Real>(Real(1)));
+  CHECK(detail::exponential(Eight<Real>(-std::numeric_limits<Real>::max())) == zero);
+  CHECK(detail::exponential(Eight<Real>(Real(2)))[3] == std::exp(Real(2)));
   CHECK(detail::exponential_less_one(Eight<Real>(-std::numeric_limits<Real>::max())) ==
         Eight<Real>(Real(-1)));
   // Growing exponentials go through the standard library.

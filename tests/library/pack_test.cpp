@@ -88,6 +88,35 @@ TEMPLATE_TEST_CASE("every operation on packs is that on their components", "", (
   check_every_lane<double, TestType::value>();
 }
 
+template <class Real>
+void check_parts() {
+  const Pack<Real, 8> low = numbers<Real, 8>(1), high = numbers<Real, 8>(2);
+  const Pack<Real, 16> both(std::array{low, high});
+  CHECK(both.template slice<8>(0) == low);
+  CHECK(both.template slice<8>(1) == high);
+  const Pack<Real, 3> first(low);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(first[i] == low[i]);
+
+  const std::array packs{low, high, numbers<Real, 8>(3), numbers<Real, 8>(4), numbers<Real, 8>(5)};
+  const auto sums = detail::combined_lanes([](const auto& a, const auto& b) { return a + b; }, packs);
+  const auto products = detail::combined_lanes([](const auto& a, const auto& b) { return a * b; }, packs);
+  for (std::size_t i = 0; i < packs.size(); ++i) {
+    double sum = 0, product = 1;
+    for (const Real& x : packs[i]) {
+      sum += static_cast<double>(x);
+      product *= static_cast<double>(x);
+    }
+    CHECK(static_cast<double>(sums[i]) == Approx(sum).epsilon(1e-5).margin(1e-5));
+    CHECK(static_cast<double>(products[i]) == Approx(product).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("packs are put together, taken apart and combined over their lanes") {
+  check_parts<float>();
+  check_parts<double>();
+  check_parts<long double>();
+}
+
 TEMPLATE_TEST_CASE("a single lane decides, the first and the last included", "", (Size<1>), (Size<2>),
                    (Size<3>), (Size<4>), (Size<5>), (Size<8>), (Size<17>)) {
   check_the_lane_that_decides<float, TestType::value>();

@@ -129,7 +129,7 @@ TEST_CASE("grooves, apertures and panels of a pair of directions agree with 40 d
     int most = 0;
     for (const auto& term : terms) most = std::max(most, term["bounces"].get<int>());
     std::size_t found = 0;
-    grooves.for_each(most, [&](const ConnectingGroove<double>& groove) {
+    for_each_groove(grooves, most, [&](const ConnectingGroove<double>& groove) {
       const auto term = std::find_if(terms.begin(), terms.end(), [&](const auto& t) {
         return t["bounces"].template get<int>() == groove.bounces &&
                t["first_panel"].template get<int>() == static_cast<int>(groove.first_panel);

@@ -47,6 +47,8 @@ class RationalFacet {
   explicit RationalFacet(const Facet& facet) {
     using Exact = value_t<Facet, scalar_t<decltype(facet.permittivity())>>;
     const auto contrast = detail::as_complex(facet.contrast());
+    // What fills a vector register up beyond the components takes part in divisions, which are slow for denormals.
+    coefficients_.fill(Value(Real(0)));
     for (std::size_t i = 0; i < component_count(pole_re_); ++i) {
       const std::complex<double> pole =
           detail::singular_cosines({static_cast<double>(component(contrast.re, i)),
@@ -62,10 +64,15 @@ class RationalFacet {
       for (std::size_t k = 0; k <= degree; ++k)
         component(coefficients_[k], i) = static_cast<Real>(polynomial[k]);
     }
-    constexpr int checks = 256;
-    for (int check = 0; check <= checks; ++check) {
-      // Crowded at grazing incidence, where the pole is near.
-      const double cosine = std::pow(double(check) / checks, 4);
+    // No reflectance exceeds 1, though the fit may by its error: the little that is too much is taken from all.
+    for_each_check([&](double cosine) {
+      const Value found = (*this)(static_cast<Real>(cosine));
+      for (std::size_t i = 0; i < component_count(found); ++i) {
+        const Real excess = at_least(component(found, i), Real(1));
+        for (Value& coefficient : coefficients_) component(coefficient, i) /= excess;
+      }
+    });
+    for_each_check([&](double cosine) {
       const Value found = (*this)(static_cast<Real>(cosine));
       const Exact expected = facet(static_cast<scalar_t<Exact>>(cosine));
       for (std::size_t i = 0; i < component_count(found); ++i) {
@@ -74,7 +81,7 @@ class RationalFacet {
         // What is no number is no small error.
         if (!(difference <= error_)) error_ = std::isnan(difference) ? HUGE_VAL : difference;
       }
-    }
+    });
   }
 
   /// The largest difference between this and the facet that it was made from, at 257 cosines;
@@ -89,7 +96,7 @@ class RationalFacet {
     Value polynomial = coefficients_[degree];
     for (std::size_t k = degree; k-- > 0;) polynomial = polynomial * c + coefficients_[k];
     const Value off = c - pole_re_;
-    return at_most(Value(polynomial / (off * off + pole_im2_)), Real(1));
+    return polynomial / (off * off + pole_im2_);
   }
 
   /// The facet that reflects a part of what this one does, at the same cost.
@@ -119,6 +126,13 @@ class RationalFacet {
   using Polynomial = std::array<double, degree + 1>;
 
   RationalFacet() = default;
+
+  /// Calls `visit` with cosines crowded at grazing incidence, where the pole is near.
+  template <class Visit>
+  static void for_each_check(const Visit& visit) {
+    constexpr int checks = 256;
+    for (int check = 0; check <= checks; ++check) visit(std::pow(double(check) / checks, 4));
+  }
 
   /// The polynomial through the values of a function at the Chebyshev nodes of [0, 1], by Newton's divided
   /// differences.

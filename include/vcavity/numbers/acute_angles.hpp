@@ -11,14 +11,17 @@
 /// When not to use it: for angles beyond π/2 by more than rounding; there the polynomials mean nothing.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/per_component.hpp"
 
 namespace vcavity::detail {
 
@@ -26,12 +29,28 @@ namespace vcavity::detail {
 template <class Value>
 inline constexpr bool has_short_series = std::is_same_v<scalar_t<Value>, float>;
 
-/// c_0 + c_1 u + c_2 u² + …
+/// c_first + c_(first+1) u + c_(first+2) u² + …, of `size` terms.
+/// @param powers u, u², u⁴, …
+template <std::size_t first, std::size_t size, class Value, std::size_t all, std::size_t doublings>
+VCAVITY_INLINE Value polynomial_part(const std::array<float, all>& coefficients,
+                                     const std::array<Value, doublings>& powers) {
+  if constexpr (size == 1) {
+    return Value(coefficients[first]);
+  } else {
+    constexpr auto doubling = static_cast<std::size_t>(std::bit_width(size - 1)) - 1;
+    constexpr std::size_t low = std::size_t(1) << doubling;
+    return polynomial_part<first + low, size - low>(coefficients, powers) * powers[doubling] +
+           polynomial_part<first, low>(coefficients, powers);
+  }
+}
+
+/// c_0 + c_1 u + c_2 u² + …, by halves (Estrin), which do not wait for each other as the steps of Horner do.
 template <class Value, std::size_t size>
 VCAVITY_INLINE Value polynomial(const std::array<float, size>& coefficients, const Value& u) {
-  Value sum(coefficients[size - 1]);
-  for (std::size_t i = size - 1; i-- > 0;) sum = sum * u + Value(coefficients[i]);
-  return sum;
+  std::array<Value, static_cast<std::size_t>(std::bit_width(size - 1))> powers;
+  powers[0] = u;
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * powers[i - 1];
+  return polynomial_part<0, size>(coefficients, powers);
 }
 
 /// sin x
@@ -60,22 +79,42 @@ VCAVITY_INLINE Value acute_cosine(const Value& x) {
   }
 }
 
+/// arctan x, over x, as a function of x².
+inline constexpr std::array arctangent_series{0.999999985f,  -0.333330733f,  0.199926194f,
+                                              -0.142036444f, 0.106409337f,   -0.0750429375f,
+                                              0.0426915099f, -0.0160686232f, 0.00284988817f};
+
 /// The angle in a right-angled triangle, arctan(opposite/adjacent).
 /// @param opposite, adjacent numbers ≥ 0, or arrays of them, not both 0
 /// @return in [0, π/2]
 template <class Real>
 VCAVITY_INLINE Real acute_angle(const Real& opposite, const Real& adjacent) {
   if constexpr (has_short_series<Real>) {
-    constexpr std::array series{0.999999985f,   -0.333330733f, 0.199926194f,   -0.142036444f, 0.106409337f,
-                                -0.0750429375f, 0.0426915099f, -0.0160686232f, 0.00284988817f};
     // Of the angle and its complement the smaller one; no branch, since half of all angles would take it.
     const Real slope = at_most(opposite, adjacent) / at_least(opposite, adjacent);
-    const Real angle = slope * polynomial(series, Real(slope * slope));
+    const Real angle = slope * polynomial(arctangent_series, Real(slope * slope));
     const Real is_steep = select(adjacent < opposite, Real(1), Real(0));
     return angle + is_steep * (pi<Real>() / Real(2) - Real(2) * angle);
   } else {
     using std::atan2;
     return atan2(opposite, adjacent);
+  }
+}
+
+/// The same for several triangles.
+/// @param opposite, adjacent as above, in packs
+template <class Value>
+VCAVITY_INLINE Value acute_angles(const Value& opposite, const Value& adjacent) {
+  if constexpr (has_short_series<Value>) {
+    const auto is_steep = opposite > adjacent;
+    const Value longer_side =
+        at_least(select(is_steep, opposite, adjacent), std::numeric_limits<float>::min());
+    const Value slope = at_most(opposite, adjacent) / longer_side;
+    const Value angle = slope * polynomial(arctangent_series, Value(slope * slope));
+    return select(is_steep, Value(pi<float>() / 2) - angle, angle);
+  } else {
+    return value_of_components<Value>(
+        [&](std::size_t i) { return acute_angle(component(opposite, i), component(adjacent, i)); });
   }
 }
 

@@ -69,6 +69,8 @@ inline constexpr std::size_t native_lanes = std::max<std::size_t>(detail::regist
 ///          sets can be linked into one program
 template <class Real, std::size_t size, std::size_t most_bytes = detail::register_bytes>
 class Pack {
+  template <class, std::size_t, std::size_t>
+  friend class Pack;
   using Register = typename detail::Register<Real, size, most_bytes>::type;
   static constexpr std::size_t width = detail::Register<Real, size, most_bytes>::width;
   static constexpr std::size_t registers = (size + width - 1) / width;
@@ -141,6 +143,34 @@ class Pack {
 
   explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
     std::copy(components.begin(), components.end(), begin());
+  }
+
+  /// The first components of a longer pack.
+  template <std::size_t longer>
+    requires(longer > size)
+  VCAVITY_INLINE explicit Pack(const Pack<Real, longer, most_bytes>& a) {
+    if constexpr (Pack<Real, longer, most_bytes>::width == width)
+      for (std::size_t i = 0; i < registers; ++i) registers_[i] = a.registers_[i];
+    else
+      *this = load(a.begin());
+  }
+
+  /// Packs one after the other, whole registers each.
+  template <std::size_t part, std::size_t count>
+    requires(part* count == size && count > 1 && part % width == 0)
+  VCAVITY_INLINE explicit Pack(const std::array<Pack<Real, part, most_bytes>, count>& parts) {
+    constexpr std::size_t each = part / width;
+    for (std::size_t i = 0; i < registers; ++i) registers_[i] = parts[i / each].registers_[i % each];
+  }
+
+  /// The i-th pack of those that a pack is made of, whole registers each.
+  template <std::size_t part>
+    requires(size % part == 0 && part % width == 0)
+  VCAVITY_INLINE Pack<Real, part, most_bytes> slice(std::size_t i) const {
+    constexpr std::size_t each = part / width;
+    Pack<Real, part, most_bytes> result;
+    for (std::size_t k = 0; k < each; ++k) result.registers_[k] = registers_[i * each + k];
+    return result;
   }
 
   /// The `size` components that start at an address.

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include "vcavity/numbers/compiler.hpp"
@@ -54,7 +55,8 @@ struct PackConstants<double> {
   static constexpr double half_pi[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
   static constexpr double ln_2[2] = {0x1.62e42fefa38p-1, 0x1.ef35793c7673p-45};
   static constexpr double largest_angle = 1e6;
-  static constexpr double lowest_exponent = -40;  ///< below it e^x − 1 is −1
+  static constexpr double lowest_exponent = -40;          ///< below it e^x − 1 is −1
+  static constexpr double lowest_normal_exponent = -708;  ///< above it e^x is a normal number
   static constexpr int sine_terms = 8, cosine_terms = 8, exponential_terms = 13;
 };
 
@@ -67,6 +69,7 @@ struct PackConstants<float> {
   static constexpr float ln_2[2] = {0x1.62e4p-1F, 0x1.7f7d1cp-20F};
   static constexpr float largest_angle = 1e3F;
   static constexpr float lowest_exponent = -18;
+  static constexpr float lowest_normal_exponent = -87;
   static constexpr int sine_terms = 4, cosine_terms = 5, exponential_terms = 8;
 };
 
@@ -137,31 +140,81 @@ VCAVITY_INLINE SineAndCosine<Pack<Real, size, most_bytes>> sine_and_cosine(
           select(is_even, Value(even_sign * cosine), Value(-(quarter * sine)))};
 }
 
+/// 2^n, n being the whole number beside `whole` in a sum: the exponent is the end of the digits of that.
+template <class Real, std::size_t size, std::size_t most_bytes>
+VCAVITY_INLINE Pack<Real, size, most_bytes> power_of_two(const Pack<Real, size, most_bytes>& sum) {
+  using Value = Pack<Real, size, most_bytes>;
+  using Constants = PackConstants<Real>;
+  using Bits = typename Constants::Bits;
+  Value result;
+#if defined(__GNUC__)
+  constexpr std::size_t bytes = sizeof(Value) < most_bytes ? sizeof(Value) : most_bytes;
+  if constexpr (sizeof(Value) % bytes == 0 && std::has_single_bit(bytes)) {
+    typedef Bits Register VCAVITY_VECTOR(bytes);
+    constexpr std::size_t width = bytes / sizeof(Real);
+    for (std::size_t i = 0; i * width < size; ++i) {
+      Register digits;
+      std::memcpy(&digits, sum.begin() + i * width, bytes);
+      digits = (digits + static_cast<Bits>(Constants::bias)) << Constants::mantissa;
+      std::memcpy(result.begin() + i * width, &digits, bytes);
+    }
+    return result;
+  }
+#endif
+  for (std::size_t i = 0; i < size; ++i) {
+    const Bits digits = std::bit_cast<Bits>(sum[i]) + static_cast<Bits>(Constants::bias);
+    result[i] = std::bit_cast<Real>(static_cast<Bits>(digits << Constants::mantissa));
+  }
+  return result;
+}
+
+/// An exponential in parts: e^x = scale (1 + less_one).
+template <class Value>
+struct ScaledExponential {
+  Value less_one;  ///< of half a doubling at most
+  Value scale;     ///< a power of two
+};
+
+/// e^x for x ≤ 0 of which the result is a normal number.
+template <class Real, std::size_t size, std::size_t most_bytes>
+VCAVITY_INLINE ScaledExponential<Pack<Real, size, most_bytes>> scaled_exponential(
+    const Pack<Real, size, most_bytes>& x) {
+  using Value = Pack<Real, size, most_bytes>;
+  using Constants = PackConstants<Real>;
+  constexpr Real per_ln_2 = Real(1) / Constants::ln_2[0];
+  const Value whole(Constants::whole);
+  const Value shifted = per_ln_2 * x + whole;
+  const Value doublings = shifted - whole;
+  const Value rest = (x - Constants::ln_2[0] * doublings) - Constants::ln_2[1] * doublings;
+  return {rest * exponential_tail<2, Constants::exponential_terms - 1>(rest), power_of_two(shifted)};
+}
+
+/// e^x; 0 where that is no normal number.
+template <class Real, std::size_t size, std::size_t most_bytes>
+  requires has_pack_functions<Real>
+VCAVITY_INLINE Pack<Real, size, most_bytes> exponential(const Pack<Real, size, most_bytes>& x) {
+  using Value = Pack<Real, size, most_bytes>;
+  if (!all_of(Value(-x) >= Real(0))) {
+    Value result;
+    for (std::size_t i = 0; i < size; ++i) result[i] = std::exp(x[i]);
+    return result;
+  }
+  constexpr Real lowest = PackConstants<Real>::lowest_normal_exponent;
+  const auto [less_one, scale] = scaled_exponential(at_least(x, lowest));
+  return select(x >= lowest, scale + scale * less_one, Value(Real(0)));
+}
+
 /// e^x − 1, with its digits where x is small.
 template <class Real, std::size_t size, std::size_t most_bytes>
   requires has_pack_functions<Real>
 VCAVITY_INLINE Pack<Real, size, most_bytes> exponential_less_one(const Pack<Real, size, most_bytes>& x) {
   using Value = Pack<Real, size, most_bytes>;
-  using Constants = PackConstants<Real>;
   if (!all_of(Value(-x) >= Real(0))) {
     Value result;
     for (std::size_t i = 0; i < size; ++i) result[i] = std::expm1(x[i]);
     return result;
   }
-  const Value exponent = at_least(x, Constants::lowest_exponent);
-  constexpr Real per_ln_2 = Real(1) / Constants::ln_2[0];
-  const Value whole(Constants::whole);
-  const Value shifted = per_ln_2 * exponent + whole;
-  const Value doublings = shifted - whole;
-  const Value rest = (exponent - Constants::ln_2[0] * doublings) - Constants::ln_2[1] * doublings;
-  const Value less_one = rest * exponential_tail<2, Constants::exponential_terms - 1>(rest);
-  // 2^doublings, whose exponent is the end of the digits of `shifted`.
-  Value scale;
-  for (std::size_t i = 0; i < size; ++i) {
-    using Bits = typename Constants::Bits;
-    const Bits digits = std::bit_cast<Bits>(shifted[i]) + static_cast<Bits>(Constants::bias);
-    scale[i] = std::bit_cast<Real>(static_cast<Bits>(digits << Constants::mantissa));
-  }
+  const auto [less_one, scale] = scaled_exponential(at_least(x, PackConstants<Real>::lowest_exponent));
   return scale * less_one + (scale - Value(1));
 }
 

@@ -51,6 +51,13 @@ struct BsdfSample {
   int bounces;           ///< of the drawn lobe
 };
 
+/// A BSDF and the density with which it is sampled.
+template <class Real, class Value>
+struct BsdfEvaluation {
+  Value value;  ///< BSDF × cosine
+  Real pdf;     ///< per steradian
+};
+
 namespace detail {
 
 /// Whether a direction can see the grooves; false if any component is not a number or infinite.

@@ -37,7 +37,6 @@
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
-#include "vcavity/numbers/pack.hpp"
 #include "vcavity/rough/way_series.hpp"
 
 namespace vcavity {
@@ -50,31 +49,6 @@ struct ConnectingGroove {
   Real cos_half;      ///< cosine of half the aperture, sin θ_m
   Real sin_half;      ///< sine of half the aperture, cos θ_m
   Real beam;          ///< B, in [0, 2]: the width of the rays that go this way where the panels have width 1
-};
-
-/// Grooves of a few consecutive numbers of bounces that lead light from one direction into another, side by side: in
-/// each pair of lanes those of one number, with panel one and with panel two met first.
-template <class Real>
-struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
-  static constexpr std::size_t capacity = 8;
-  using Lanes = Pack<Real, capacity>;
-
-  /// 0, 1, 2, …
-  VCAVITY_INLINE static Lanes lane_numbers() {
-    static constexpr std::array numbers{0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f};
-    return Lanes::load(numbers.data());
-  }
-
-  int least_bounces;  ///< of the first pair of lanes
-
-  /// The number of bounces of a lane.
-  int bounces_of(std::size_t lane) const { return least_bounces + static_cast<int>(lane / 2); }
-
-  /// The groove of a lane; there is one if its beam is above 0.
-  ConnectingGroove<Real> operator[](std::size_t lane) const {
-    return {lane % 2 == 0 ? Panel::one : Panel::two, bounces_of(lane), this->cos_half[lane],
-            this->sin_half[lane], this->beam[lane]};
-  }
 };
 
 /// The grooves that lead light from one direction into another.
@@ -114,6 +88,9 @@ class ConnectingGrooves {
   /// cos η, the length of either direction in the plane across the grooves.
   const Real& cos_eta() const { return cos_eta_; }
 
+  /// |h|, the length of the horizontal part of e + o.
+  const Real& tilt() const { return tilt_; }
+
   /// The direction in which the light leaves, in the frame of the grooves.
   const Vec3<Real>& leaving() const { return o_; }
 
@@ -141,42 +118,8 @@ class ConnectingGrooves {
     return {Panel::one, 1, tilt_ * inverse_sum_, sin_half, lit / cos_eta_};
   }
 
-  /// The normals of panel one, or of panel two turned by half a turn, of a batch, in the frame of the surface.
-  Vec3<typename GrooveBatch<Real>::Lanes> normals(const GrooveBatch<Real>& batch) const {
-    return batch.normals(across_);
-  }
-
-  /// `density` of a batch.
-  /// @param batch the grooves
-  /// @param facet_densities D(m) of each
-  typename GrooveBatch<Real>::Lanes densities(
-      const GrooveBatch<Real>& batch, const typename GrooveBatch<Real>::Lanes& facet_densities) const {
-    return batch.densities(cos_eta_, e_.z, tilt_, facet_densities);
-  }
-
   /// The ways of two and more bounces, for those who go through them one at a time.
   AllWays<Real> all_ways() const { return {elevation(e_), elevation(o_), across_, cos_eta_, e_.z, tilt_}; }
-
-  /// Calls `visit` with every groove of two to `max_bounces` bounces, in ascending order of these, many at once.
-  template <class Visit>
-  VCAVITY_INLINE void for_each_batch(int max_bounces, Visit&& visit) const {
-    if (!(tilt_ > Real(0)) || max_bounces < 2) return;
-    const LaneSeries series(elevation(e_), elevation(o_));
-    const Real most = series.most_bounces();
-    const int last = most < Real(max_bounces) ? static_cast<int>(most) : max_bounces;
-    for (int least = 2; least <= last; least += bounces_per_batch)
-      visit(static_cast<const GrooveBatch<Real>&>(series.batch(least, last)));
-  }
-
-  /// Calls `visit` with every groove of at most `max_bounces` bounces, in ascending order of these.
-  template <class Visit>
-  void for_each(int max_bounces, Visit&& visit) const {
-    if (max_bounces >= 1) visit(first());
-    for_each_batch(max_bounces, [&](const GrooveBatch<Real>& batch) {
-      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
-        if (batch.beam[lane] > Real(0)) visit(batch[lane]);
-    });
-  }
 
   /// BRDF × cosine of all light of more than `max_bounces` bounces, for facets that reflect all light: by the
   /// Euler–Maclaurin formula, with a relative error of the whole BRDF of 3e-4 at most for 32, and seldom a fifth of that.
@@ -245,48 +188,6 @@ class ConnectingGrooves {
     Real difference_;  // |k_e − k_o|
     Real beta_;
     Real most_bounces_;
-  };
-
-  static constexpr int bounces_per_batch = GrooveBatch<Real>::capacity / 2;
-  static_assert(bounces_per_batch % 2 == 0, "a lane stays with one parity");
-
-  /// All parities and first panels: a lane for each, in the order of a batch.
-  class LaneSeries {
-   public:
-    using Lanes = typename GrooveBatch<Real>::Lanes;
-
-    VCAVITY_INLINE LaneSeries(const Elevation& e, const Elevation& o) : series_(from(e), to(o)) {}
-
-    /// Ways of fewer bounces than this exist.
-    Real most_bounces() const { return largest(series_.most_bounces()); }
-
-    /// @param least even
-    /// @param last ways of more bounces are left out
-    VCAVITY_INLINE GrooveBatch<Real> batch(int least, int last) const {
-      static constexpr std::array in_pairs{0.0f, 0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 3.0f};
-      GrooveBatch<Real> batch{series_.ways(Lanes(Real(least)) + Lanes::load(in_pairs.data())), least};
-      batch.beam = select(batch.bounces > Real(last), Lanes(Real(0)), batch.beam);
-      return batch;
-    }
-
-   private:
-    // Of an even number of bounces, panel one and panel two first; then of an odd one.
-    VCAVITY_INLINE static detail::Elevation<Lanes> from(const Elevation& e) {
-      static constexpr std::array is_panel_two{0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f};
-      return above_panels(e, Lanes::load(is_panel_two.data()));
-    }
-    VCAVITY_INLINE static detail::Elevation<Lanes> to(const Elevation& o) {
-      static constexpr std::array leaves_over_two{1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f, 1.0f};
-      return above_panels(o, Lanes::load(leaves_over_two.data()));
-    }
-    VCAVITY_INLINE static detail::Elevation<Lanes> above_panels(const Elevation& k,
-                                                                const Lanes& is_panel_two) {
-      const auto of_two = is_panel_two > Real(0);
-      return {select(of_two, Lanes(k.complement), Lanes(k.angle)),
-              select(of_two, Lanes(k.angle), Lanes(k.complement))};
-    }
-
-    WaySeries<Lanes> series_;
   };
 
   static Real horizontal_length(const Vec3<Real>& v) {

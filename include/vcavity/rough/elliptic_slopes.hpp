@@ -153,10 +153,11 @@ class BeckmannSlopes : public detail::EllipticSlopes<Real> {
   /// @param m unit vectors, as numbers or packs, m.z ≥ 0
   template <class Value>
   VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
-    // Divided twice, because the fourth power of a small cosine vanishes.
+    // Multiplied twice, because the fourth power of a small cosine vanishes.
     // Far below where it does, the exponential is 0 for every roughness, and nothing overflows.
     const Value cosine2 = at_least(Value(m.z * m.z), Real(Real(1e13) * std::numeric_limits<Real>::min()));
-    return this->peak() * detail::exponential(Value(-this->stretched(m) / cosine2)) / cosine2 / cosine2;
+    const Value inverse = Value(Real(1)) / cosine2;
+    return this->peak() * detail::exponential(Value(-this->stretched(m) * inverse)) * inverse * inverse;
   }
 
   /// A normal of the density D(m) cos θ_m.

@@ -54,13 +54,6 @@ enum class LongWays {
   without_loss,  ///< it leaves as if all its bounces reflected everything: right for white facets
 };
 
-/// A BSDF and the density with which it is sampled.
-template <class Real, class Value>
-struct BsdfEvaluation {
-  Value value;  ///< BSDF × cosine
-  Real pdf;     ///< per steradian
-};
-
 /// BSDF of a distribution of V-grooves; its interface is that of `SpreadGrooveBsdf`. The frame is that of the mean
 /// surface, in which brushed grooves run along x.
 template <SlopeDistribution Distribution, FacetReflectance<scalar_t<Distribution>> Facet>
@@ -152,10 +145,11 @@ class RoughGrooveBsdf {
     Real sum(0);
     if (!are_above_horizon(wo, wi)) return sum;
     const ConnectingGrooves<Real> grooves(wo, wi);
-    sum = density(grooves, grooves.first());
-    grooves.for_each_batch(max_bounces_, [&](const GrooveBatch<Real>& batch) {
-      for (const Real& white : densities(grooves, batch, sum)) sum += white;
-    });
+    if (max_bounces_ == 1) return density(grooves, grooves.first()) + density_of_long_ways(grooves);
+    const GrooveBatches<Real> batches(grooves, max_bounces_);
+    sum = lane_sum(densities(grooves, batches.first(), sum));
+    for (int least = batches.second; least <= batches.last(); least += GrooveBatch<Real>::bounce_counts)
+      sum += lane_sum(densities(grooves, batches.from(least), sum));
     return sum + density_of_long_ways(grooves);
   }
 
@@ -167,14 +161,16 @@ class RoughGrooveBsdf {
     BsdfEvaluation<Real, Value> result{Value(0), Real(0)};
     if (!are_above_horizon(wo, wi)) return result;
     const ConnectingGrooves<Real> grooves(wo, wi);
-    const ConnectingGroove<Real> first = grooves.first();
-    result.pdf = density(grooves, first);
-    if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
-    grooves.for_each_batch(max_bounces_, [&](const GrooveBatch<Real>& batch) {
-      const auto white = densities(grooves, batch, result.pdf);
-      result.value = result.value + light(grooves, batch, white);
-      for (const Real& part : white) result.pdf += part;
-    });
+    if (max_bounces_ == 1) {
+      const ConnectingGroove<Real> first = grooves.first();
+      result.pdf = density(grooves, first);
+      if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
+    } else {
+      const GrooveBatches<Real> batches(grooves, max_bounces_);
+      add(result, grooves, batches.first());
+      for (int least = batches.second; least <= batches.last(); least += GrooveBatch<Real>::bounce_counts)
+        add(result, grooves, batches.from(least));
+    }
     const Real long_ways = density_of_long_ways(grooves);
     if (long_ways > Real(0)) {
       result.pdf += long_ways;
@@ -217,7 +213,8 @@ class RoughGrooveBsdf {
   void for_each_term(const Vec3<Real>& wo, const Vec3<Real>& wi, int max_bounces, Visit&& visit) const {
     if (!are_above_horizon(wo, wi)) return;
     const ConnectingGrooves<Real> grooves(wo, wi);
-    grooves.for_each(max_bounces, [&](const ConnectingGroove<Real>& groove) { visit(grooves, groove); });
+    for_each_groove(grooves, max_bounces,
+                    [&](const ConnectingGroove<Real>& groove) { visit(grooves, groove); });
   }
 
   /// Whether a density is finite, and so is its inverse.
@@ -248,13 +245,18 @@ class RoughGrooveBsdf {
                                  const Real& so_far) const {
     // ε² of the sum: even if all else is reflected by black facets and this by white ones, little is lost.
     const Real epsilon = std::numeric_limits<Real>::epsilon();
-    const Lanes white = grooves.densities(batch, facet_densities(grooves, batch));
+    const Lanes white = facet_densities(grooves, batch) * batch.weight;
     return select(white > Real(epsilon * epsilon * so_far), white, Lanes(Real(0)));
+  }
+
+  VCAVITY_INLINE static Real lane_sum(const Lanes& a) {
+    return detail::combined_lanes(detail::plus, std::array{a})[0];
   }
 
   VCAVITY_INLINE Lanes facet_densities(const ConnectingGrooves<Real>& grooves,
                                        const GrooveBatch<Real>& batch) const {
-    const Vec3<Lanes> normals = grooves.normals(batch);
+    const Vec2<Real>& across = grooves.across();
+    const Vec3<Lanes> normals{across.x * batch.cos_half, across.y * batch.cos_half, batch.sin_half};
     if constexpr (requires { distribution_.densities(normals); }) {
       return distribution_.densities(normals);
     } else {
@@ -266,21 +268,22 @@ class RoughGrooveBsdf {
     }
   }
 
-  /// The light that goes through a batch.
-  /// @param white the same for white facets
-  VCAVITY_INLINE Value light(const ConnectingGrooves<Real>& grooves, const GrooveBatch<Real>& batch,
-                             const Lanes& white) const {
-    Value sum(0);
-    for (std::size_t lane = 0; lane < batch.capacity; ++lane) {
-      if (!(white[lane] > Real(0))) continue;
-      if constexpr (ComponentsOverDirections<Facet, Real>)
-        sum = sum + scaled(white[lane],
-                           throughput_in_lanes(facet_, grooves.cos_eta(), Real(batch.elevation[lane]),
-                                               Real(batch.half_aperture[lane]), batch.bounces_of(lane)));
-      else
-        sum = sum + term(grooves, batch[lane], white[lane]);
+  /// Adds what goes through a batch.
+  VCAVITY_INLINE void add(BsdfEvaluation<Real, Value>& sum, const ConnectingGrooves<Real>& grooves,
+                          const GrooveBatch<Real>& batch) const {
+    const Lanes white = densities(grooves, batch, sum.pdf);
+    if constexpr (ComponentsOverDirections<Facet, Real>) {
+      if (batch.least_bounces == 1) {
+        add_short_ways(sum, facet_, grooves.to_light(), batch, white);
+      } else {
+        add_long_ways(sum.value, facet_, grooves.cos_eta(), batch, white);
+        sum.pdf += lane_sum(white);
+      }
+    } else {
+      for (std::size_t lane = 0; lane < batch.capacity; ++lane)
+        if (white[lane] > Real(0)) sum.value = sum.value + term(grooves, batch[lane], white[lane]);
+      sum.pdf += lane_sum(white);
     }
-    return sum;
   }
 
   Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {
