@@ -64,6 +64,16 @@ TEST_CASE("axes of an anisotropic surface are those of the directions: AX along 
   CHECK(result["brdf"].get<double>() == Approx(turned["brdf"].get<double>()).epsilon(1e-10));
 }
 
+TEST_CASE("without a viewer the Mueller matrix is that of all reflected light") {
+  const json result = result_of(
+      "direction --material 1.5 --distribution ggx --roughness 0.3 --theta 55 --phi 20 --polarization full");
+  const json& mueller = result["mueller"];
+  CHECK(mueller[0][0].get<double>() == Approx(result["reflectance"].get<double>()).margin(2e-4));
+  // Light polarised along the plane of incidence is hardly reflected near Brewster's angle.
+  CHECK(mueller[0][1].get<double>() < -0.2 * mueller[0][0].get<double>());
+  CHECK(result["diattenuation"].get<double>() > 0.2);
+}
+
 TEST_CASE("without a viewer direction prints the albedo and the energies by the number of bounces") {
   const json result =
       result_of("direction --material 0.2+3i --distribution beckmann --roughness 0.6 --theta 20 --phi 0");

@@ -71,6 +71,14 @@ class Mueller : public Linear<Mueller<Value>, Value> {
     return result;
   }
 
+  /// The largest element.
+  friend value_type largest(const Mueller& a) {
+    value_type result(0);
+    for (const auto& row : a.rows_)
+      for (const Value& element : row) result = at_least(result, largest(element));
+    return result;
+  }
+
   /// What becomes of light that travels the same way backwards. By Helmholtz reciprocity the Jones matrix is
   /// transposed; and of the axes of light that travels along −k, a is the same and b the opposite, so that U
   /// changes sign.

@@ -6,7 +6,8 @@
 ///
 /// Method. A Gauss–Legendre rule of 12 nodes; the fall of the Legendre series of the integrand, from degrees 5 and 6
 /// to 10 and 11, tells how much is beyond degree 23, what the rule does not integrate exactly. Pieces where that is
-/// too much are halved, each half with half of the tolerance.
+/// too much are halved, each half with half of the tolerance. Where a range has been cut at all kinks, its pieces are
+/// short and most of them smooth: for these there is a rule of 6 nodes, with degrees 2 and 3 to 4 and 5.
 
 #include <array>
 #include <cstddef>
@@ -30,20 +31,21 @@ struct Quadrature {
   }
 };
 
-/// The rule of 12 nodes with what a value at a node adds to the terms of the Legendre series.
-template <class Real>
+/// A rule of 6 or 12 nodes with what a value at a node adds to the terms of the Legendre series.
+template <class Real, std::size_t size = 12>
 class GaussWithSeries {
  public:
-  static constexpr std::size_t order = 12;
+  static_assert(size == 6 || size == 12);
+  static constexpr std::size_t order = size;
   static constexpr std::size_t terms = 4;
-  static constexpr std::array<std::size_t, terms> degrees{5, 6, 10, 11};
+  static constexpr std::array<std::size_t, terms> degrees{order / 2 - 1, order / 2, order - 2, order - 1};
 
   struct Node {
     Real x, weight;
     std::array<Real, terms> projection;
   };
 
-  /// The one rule of the type.
+  /// The one rule of the type and order.
   static const GaussWithSeries& get() {
     static const GaussWithSeries rule;
     return rule;
@@ -77,11 +79,12 @@ class GaussWithSeries {
 /// @param tolerance absolute error to aim at
 /// @param function returns a `Quadrature` for a number: its value, with an error of its own
 /// @param halvings how often a piece may be halved
-template <class Value, class Real, class Function>
+/// @tparam order of the rule
+template <class Value, std::size_t order = 12, class Real, class Function>
 Quadrature<Value> integrate(const Function& function, const Real& low, const Real& high,
                             const scalar_t<Value>& tolerance, int halvings) {
   using Scalar = scalar_t<Value>;
-  using Rule = GaussWithSeries<Real>;
+  using Rule = GaussWithSeries<Real, order>;
   const Real half = (high - low) / Real(2);
   const Real middle = (high + low) / Real(2);
   Quadrature<Value> result{Value(0), Scalar(0), 0};
@@ -104,8 +107,8 @@ Quadrature<Value> integrate(const Function& function, const Real& low, const Rea
     return result;
   }
   const Quadrature<Value> halves =
-      integrate<Value>(function, low, middle, tolerance / Scalar(2), halvings - 1) +
-      integrate<Value>(function, middle, high, tolerance / Scalar(2), halvings - 1);
+      integrate<Value, order>(function, low, middle, tolerance / Scalar(2), halvings - 1) +
+      integrate<Value, order>(function, middle, high, tolerance / Scalar(2), halvings - 1);
   return {halves.value, halves.error, halves.evaluations + result.evaluations};
 }
 

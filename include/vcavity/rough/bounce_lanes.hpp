@@ -130,6 +130,8 @@ VCAVITY_NOINLINE void add_long_ways(value_t<Facet, Real>& sum, const Facet& face
     count += white[lane] > Real(0) ? 1 : 0;
   }
   ways[count] = 0;
+  // Added up by themselves, as their densities are: so that the light does not exceed these by rounding.
+  value_t<Facet, Real> of_batch(0);
   const auto both = [](const Real& first, const Real& second) {
     return Two(std::array{Lanes(first), Lanes(second)});
   };
@@ -160,9 +162,10 @@ VCAVITY_NOINLINE void add_long_ways(value_t<Facet, Real>& sum, const Facet& face
       for (std::size_t c = 0; c < components; ++c) half[c] = products[c].template slice<lanes>(i);
       const Real light = i == 0 ? white[a] : way + 1 < count ? white[b] : Real(0);
       const auto throughput = detail::combined_lanes(detail::times, half);
-      sum = sum + scaled(light, detail::value_of<value_t<Facet, Real>>(throughput));
+      of_batch = of_batch + scaled(light, detail::value_of<value_t<Facet, Real>>(throughput));
     }
   }
+  sum = sum + of_batch;
 }
 
 }  // namespace vcavity

@@ -61,7 +61,8 @@ class ConnectingGrooves {
     using std::sqrt;
     const Real h_x = e.x + o.x;
     const Real h_y = e.y + o.y;
-    tilt_ = sqrt(h_x * h_x + h_y * h_y);
+    const Real tilt2 = h_x * h_x + h_y * h_y;
+    tilt_ = sqrt(tilt2);
     // Without a tilt of e + o any azimuth serves.
     const auto is_tilted = tilt_ > Real(0);
     const Real inverted = select(is_tilted, tilt_, Real(1));
@@ -71,12 +72,12 @@ class ConnectingGrooves {
     // Of e_y and o_y the sum is |h|, and the difference follows from the heights, since e and o are of one length.
     // Next to the mirror direction, where h is short, products of h with e and o would lose their digits.
     const Real drop = (o_.z - e_.z) * ((o_.z + e_.z) / inverted);
-    const Real apart = select(is_tilted, tilt_, Real(2));  // longer than any direction's horizontal part
-    e_.y = select(apart < horizontal_length(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
-    o_.y = select(apart < horizontal_length(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
+    const Real apart2 = select(is_tilted, tilt2, Real(4));  // longer than any direction's horizontal part
+    e_.y = select(apart2 < horizontal_square(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
+    o_.y = select(apart2 < horizontal_square(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
     cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
     const Real sum_z = e_.z + o_.z;
-    inverse_sum_ = Real(1) / Real(sqrt(tilt_ * tilt_ + sum_z * sum_z));
+    inverse_sum_ = Real(1) / Real(sqrt(tilt2 + sum_z * sum_z));
   }
 
   /// The unit vector across the grooves, from the side of panel one to that of panel two.
@@ -190,10 +191,7 @@ class ConnectingGrooves {
     Real most_bounces_;
   };
 
-  static Real horizontal_length(const Vec3<Real>& v) {
-    using std::sqrt;
-    return sqrt(v.x * v.x + v.y * v.y);
-  }
+  static Real horizontal_square(const Vec3<Real>& v) { return v.x * v.x + v.y * v.y; }
 
   /// A direction in the frame of the grooves; its inverse height, and products of two of these, are finite.
   VCAVITY_INLINE Vec3<Real> in_groove(const Vec3<Real>& v) const {

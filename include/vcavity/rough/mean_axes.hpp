@@ -44,13 +44,23 @@ const Value& in_mean_axes(const Value& value, const ConnectingGrooves<Real>&) {
   return value;
 }
 
+/// A Mueller matrix in the axes of the surface.
+/// @param value the same in the axes of a groove
+/// @param e direction towards the light in the frame of the groove
+/// @param leaving direction in which the light leaves, in the same frame
+/// @param across the unit vector across the groove, in the frame of the surface
+template <class Value, class Real>
+Mueller<Value> in_mean_axes(const Mueller<Value>& value, const Vec3<Real>& e, const Vec3<Real>& leaving,
+                            const Vec2<Real>& across) {
+  return in_turned_axes(value, detail::turn_to_mean_axes(Vec3<Real>{-e.x, -e.y, -e.z}, across),
+                        detail::turn_to_mean_axes(leaving, across));
+}
+
 /// A Mueller matrix in the axes of the grooves, of light from `to_light()` that leaves along `leaving()`, in those of
 /// the surface.
 template <class Value, class Real>
 Mueller<Value> in_mean_axes(const Mueller<Value>& value, const ConnectingGrooves<Real>& grooves) {
-  const Vec3<Real>& e = grooves.to_light();
-  return in_turned_axes(value, detail::turn_to_mean_axes(Vec3<Real>{-e.x, -e.y, -e.z}, grooves.across()),
-                        detail::turn_to_mean_axes(grooves.leaving(), grooves.across()));
+  return in_mean_axes(value, grooves.to_light(), grooves.leaving(), grooves.across());
 }
 
 }  // namespace vcavity

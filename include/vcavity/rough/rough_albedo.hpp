@@ -29,6 +29,7 @@
 #include "vcavity/numbers/invalid_argument.hpp"
 #include "vcavity/numbers/pack.hpp"
 #include "vcavity/rough/adaptive_gauss.hpp"
+#include "vcavity/rough/mean_axes.hpp"
 #include "vcavity/rough/mixed_slopes.hpp"
 #include "vcavity/rough/slope_distribution.hpp"
 
@@ -51,6 +52,9 @@ class GroovesOfAzimuth {
     y_axis_ = {m.x / across, m.y / across};
   }
 
+  /// The unit vector across the grooves.
+  const Vec2<Real>& across() const { return y_axis_; }
+
   /// A direction of the surface in the frame of the grooves.
   Vec3<Real> to_groove(const Vec3<Real>& v) const {
     return {v.x * y_axis_.y - v.y * y_axis_.x, v.x * y_axis_.x + v.y * y_axis_.y, v.z};
@@ -67,10 +71,11 @@ class GroovesOfAzimuth {
     return Real(2) * half;
   }
 
-  /// Where the aperture has fallen to a value: by halving, since the distribution tells no more.
+  /// Where the aperture has fallen to a value: by halving, since the distribution tells no more. Half of all digits
+  /// will do: where an integral is cut beside a kink, its error is the square of what lies between.
   /// @param low, high χ between which to look
   Real chi(const Real& aperture_there, Real low, Real high) const {
-    for (int digit = 0; digit < std::numeric_limits<Real>::digits; ++digit) {
+    for (int digit = 0; digit < std::numeric_limits<Real>::digits / 2 + 1; ++digit) {
       const Real middle = (low + high) / Real(2);
       (aperture(middle) > aperture_there ? low : high) = middle;
     }
@@ -197,8 +202,8 @@ Quadrature<Value> mean_over_slopes(const Distribution& distribution, const scala
   for (std::size_t i = kinks.size() + 1; i-- > 0;) {
     const Real high = i > 0 ? grooves.chi(kinks[i - 1], low, end) : end;
     if (high - low < too_short) continue;
-    sum = sum + integrate<Value>(integrand, low, high, tolerance * static_cast<Scalar>((high - low) / end),
-                                 halvings);
+    sum = sum + integrate<Value, 6>(integrand, low, high, tolerance * static_cast<Scalar>((high - low) / end),
+                                    halvings);
     low = high;
   }
   return sum;
@@ -239,6 +244,46 @@ Integral<unpolarized_t<Facet, scalar_t<Distribution>>> directional_albedo(
       distribution, tolerance,
       [&](const auto& part, const Real& u_azimuth, const scalar_t<Value>& inner_tolerance) {
         return detail::reflectance_of_azimuth(part, u_azimuth, e, facet, inner_tolerance, max_bounces);
+      });
+  return {sum.value, sum.error, sum.evaluations};
+}
+
+/// Directional albedo of polarised light: the Mueller matrix of all light of a direction that is reflected, whatever
+/// direction it leaves in, each described in the axes of the mean surface (mean_axes.hpp). It is the integral of a
+/// `RoughGrooveBsdf` of polarised facets over the directions of the leaving light.
+///
+/// The first row says what part of light of any polarisation is reflected; what is missing to 1, 0, 0, 0 is, by
+/// Kirchhoff's law, the polarised emissivity towards `e`. The first column is how the reflected light is polarised on
+/// average.
+///
+/// @param distribution of the grooves
+/// @param e unit vector towards the light, e.z ≥ 0
+/// @param facet polarised facet reflectance, such as `polarized(Conductor(…))`
+/// @param tolerance absolute error to aim at, > 0, of every element; the axes turn fast where light leaves along the
+///        mean normal, so that a tenth takes more time than for unpolarised light
+/// @param max_bounces light that needs more bounces is lost
+/// @throws std::invalid_argument when the tolerance is not a positive number
+/// @return the matrix, an estimate of the error of its elements and the number of directional reflectances evaluated
+template <SlopeDistribution Distribution, FacetReflectance<scalar_t<Distribution>> Facet>
+Integral<power_t<Facet, scalar_t<Distribution>>> polarized_albedo(
+    const Distribution& distribution, const Vec3<scalar_t<Distribution>>& e, const Facet& facet,
+    const scalar_t<power_t<Facet, scalar_t<Distribution>>>& tolerance, int max_bounces = all_bounces) {
+  using Real = scalar_t<Distribution>;
+  using Value = power_t<Facet, Real>;
+  detail::require_tolerance(tolerance, "polarised albedo");
+  const auto sum = detail::mean_over_azimuths<Value>(
+      distribution, tolerance,
+      [&](const auto& part, const Real& u_azimuth, const scalar_t<Value>& inner_tolerance) {
+        const Vec2<Real> across = detail::GroovesOfAzimuth(part, u_azimuth).across();
+        return detail::mean_over_slopes<Value>(
+            part, u_azimuth, e, inner_tolerance,
+            [&](const Cavity<Real>& groove, const Vec3<Real>& direction) {
+              Value reflected(0);
+              for (const auto& lobe : lobes(groove, direction, facet, max_bounces))
+                reflected = reflected + in_mean_axes(scaled(lobe.weight, power(lobe.throughput)), direction,
+                                                     lobe.direction, across);
+              return reflected;
+            });
       });
   return {sum.value, sum.error, sum.evaluations};
 }

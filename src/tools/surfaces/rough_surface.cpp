@@ -7,6 +7,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vcavity/vcavity.hpp>
@@ -19,6 +20,9 @@ namespace {
 
 /// Absolute error of directional albedos, which are integrals. Smaller than what a table for people shows.
 constexpr double albedo_tolerance = 1e-6;
+
+/// The same of the elements of its Mueller matrix; the axes of the leaving light make these vary faster.
+constexpr double matrix_tolerance = 1e-4;
 
 /// The same in maps.
 constexpr double table_tolerance = 1e-4;
@@ -67,8 +71,15 @@ class RoughSurface final : public Surface {
   std::optional<RefractiveIndex> index() const override { return index_; }
 
   Reflected reflectance(const Vec3<double>& e) const override {
-    return {directional_albedo(bsdf_.distribution(), e, bsdf_.facet(), albedo_tolerance, max_bounces_).value,
-            std::nullopt, std::nullopt};
+    const double albedo =
+        directional_albedo(bsdf_.distribution(), e, bsdf_.facet(), albedo_tolerance, max_bounces_).value;
+    if constexpr (std::is_same_v<typename Bsdf::Value, Mueller<double>>) {
+      const Mueller<double> matrix =
+          polarized_albedo(bsdf_.distribution(), e, bsdf_.facet(), matrix_tolerance, max_bounces_).value;
+      return {albedo, diattenuation(matrix), matrix};
+    } else {
+      return {albedo, std::nullopt, std::nullopt};
+    }
   }
 
   Reflected reflectance_in_maps(const Vec3<double>& e) const override {

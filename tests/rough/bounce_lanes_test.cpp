@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Ways followed side by side against the same ways followed one bounce after the other.
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vcavity/facet/fresnel.hpp>
+#include <vcavity/facet/rational_facet.hpp>
+#include <vcavity/rough/elliptic_slopes.hpp>
+#include <vcavity/rough/rough_bsdf.hpp>
+
+#include "support/catch.hpp"
+
+using namespace vcavity;
+
+namespace {
+
+/// Compares a facet with itself as a function, which nobody can ask for several directions at once.
+template <class Real, class Distribution, class Facet>
+void check(const Distribution& distribution, const Facet& facet, double tolerance) {
+  const auto one_by_one = [&facet](const Real& cosine) { return facet(cosine); };
+  std::mt19937 random(20261126);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto any = [&] {
+    return Vec3<Real>(direction(std::acos(unit(random)), 2 * pi<double>() * unit(random)));
+  };
+  for (const int limit : {1, 2, 3, 4, 5, 8, 9, 32}) {
+    const RoughGrooveBsdf lanes(distribution, facet, limit);
+    const RoughGrooveBsdf single(distribution, one_by_one, limit);
+    for (int trial = 0; trial < 300; ++trial) {
+      const Vec3<Real> e = any();
+      Vec3<Real> o = any();
+      // Every other one near the cone of equal heights, where there are ways of any number of bounces.
+      if (trial % 2 == 0) {
+        const Real along = std::sqrt((1 - e.z * e.z) / (o.x * o.x + o.y * o.y));
+        o = {o.x * along, o.y * along, e.z};
+      }
+      const auto [value, pdf] = lanes.evaluate_with_pdf(e, o);
+      const auto expected = single.evaluate_with_pdf(e, o);
+      CAPTURE(limit, e.x, e.y, e.z, o.x, o.y, o.z);
+      CHECK(static_cast<double>(pdf) == Approx(static_cast<double>(expected.pdf)).epsilon(tolerance));
+      CHECK(largest(value + Real(-1) * expected.value) <= tolerance * largest(expected.value));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("ways followed side by side reflect what they do one bounce after the other") {
+  using Rgb = Pack<float, 3>;
+  const Conductor<Rgb> metal(Rgb(std::array{0.2f, 0.9f, 1.2f}), Rgb(std::array{3.4f, 2.6f, 2.3f}));
+  check<float>(GgxSlopes<float>(0.4f), metal, 1e-5);
+  check<float>(BeckmannSlopes<float>(0.8f), RationalFacet<Rgb>(metal), 1e-5);
+  check<float>(GgxSlopes<float>(0.4f), Conductor<float>(0.2f, 3.4f), 1e-5);
+  check<float>(GgxSlopes<float>(0.4f), Conductor<Pack<float, 5>>(Pack<float, 5>(0.3f), Pack<float, 5>(3.0f)),
+               1e-5);
+  check<double>(GgxSlopes<double>(0.4), Conductor<double>(0.2, 3.4), 1e-13);
+}
