@@ -112,8 +112,8 @@ class GrooveBatches {
   VCAVITY_INLINE GrooveBatches(const ConnectingGrooves<Real>& grooves, int max_bounces, const Pair& low)
       // Of an odd number of bounces, panel one and panel two first; then of an even one.
       : grooves_(grooves),
-        series_(elevation(low[0], grooves.to_light().y, {1.0f, -1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f, -1.0f}),
-                elevation(low[1], grooves.leaving().y, {1.0f, -1.0f, -1.0f, 1.0f, 1.0f, -1.0f, -1.0f, 1.0f})),
+        series_(elevation(low[0], grooves.to_light().y * Batch::sides()),
+                elevation(low[1], grooves.leaving().y * leaving_sides())),
         scale_(grooves.cos_eta() / (Real(2) * grooves.to_light().z)) {
     const bool is_tilted = grooves.tilt() > Real(0);
     inverse_tilt_ = is_tilted ? Real(Real(1) / grooves.tilt()) : Real(0);
@@ -126,13 +126,17 @@ class GrooveBatches {
     return select(Pair::load(is_of_o.data()) > Real(0), Pair(of_o), Pair(of_e));
   }
 
+  /// 1 where light leaves over panel one, −1 where over panel two.
+  VCAVITY_INLINE static Lanes leaving_sides() {
+    static constexpr std::array signs{1.0f, -1.0f, -1.0f, 1.0f, 1.0f, -1.0f, -1.0f, 1.0f};
+    return Lanes::load(signs.data());
+  }
+
   /// Elevations above panels.
   /// @param low elevation above the nearer horizon
-  /// @param along component of the direction across the groove, towards panel one
-  /// @param sides 1 for panel one, −1 for panel two
-  VCAVITY_INLINE static detail::Elevation<Lanes> elevation(const Real& low, const Real& along,
-                                                           const std::array<float, Batch::capacity>& sides) {
-    const auto is_behind = along * Lanes::load(sides.data()) < Real(0);
+  /// @param along component of the direction across the groove, towards the panel
+  VCAVITY_INLINE static detail::Elevation<Lanes> elevation(const Real& low, const Lanes& along) {
+    const auto is_behind = along < Real(0);
     const Lanes near(low), far(pi<Real>() - low);
     return {select(is_behind, far, near), select(is_behind, near, far)};
   }
