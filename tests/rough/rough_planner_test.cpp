@@ -68,6 +68,16 @@ TEST_CASE("The plan of a rough surface bounds what is left out in directions tha
   }
 }
 
+TEST_CASE("No more light is left out than there are grooves so narrow, which is known of GGX") {
+  const double a = 0.3;
+  const auto plan = plan_rough_effects(GgxSlopes<double>(a), almost_white, 2e-2);
+  const double steepest = 1 / std::tan(vcavity::pi<double>() / (2 * plan.max_bounces));
+  const double share = a * a / (a * a + steepest * steepest);
+  CHECK(plan.bounds.bounces <= share * (1 + 1e-9));
+  const double shorter = 1 / std::tan(vcavity::pi<double>() / (2 * (plan.max_bounces - 1)));
+  CHECK(a * a / (a * a + shorter * shorter) > 1e-2);
+}
+
 TEST_CASE("A rough surface that absorbs more calls for fewer bounces") {
   const GgxSlopes<double> slopes(0.6);
   const auto of_white = plan_rough_effects(slopes, almost_white, 1e-2);
