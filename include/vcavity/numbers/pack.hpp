@@ -137,11 +137,11 @@ class Pack {
   Pack() = default;
 
   /// All components equal to `value`.
-  explicit Pack(const Real& value) {
+  VCAVITY_INLINE explicit Pack(const Real& value) {
     for (Register& x : registers_) x = broadcast(value);
   }
 
-  explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
+  VCAVITY_INLINE explicit Pack(const std::array<Real, size>& components) : Pack(components.back()) {
     std::copy(components.begin(), components.end(), begin());
   }
 
@@ -189,12 +189,12 @@ class Pack {
     return result;
   }
 
-  Real& operator[](std::size_t i) { return begin()[i]; }
-  const Real& operator[](std::size_t i) const { return begin()[i]; }
-  Real* begin() { return reinterpret_cast<Real*>(registers_); }
-  Real* end() { return begin() + size; }
-  const Real* begin() const { return reinterpret_cast<const Real*>(registers_); }
-  const Real* end() const { return begin() + size; }
+  VCAVITY_INLINE Real& operator[](std::size_t i) { return begin()[i]; }
+  VCAVITY_INLINE const Real& operator[](std::size_t i) const { return begin()[i]; }
+  VCAVITY_INLINE Real* begin() { return reinterpret_cast<Real*>(registers_); }
+  VCAVITY_INLINE Real* end() { return begin() + size; }
+  VCAVITY_INLINE const Real* begin() const { return reinterpret_cast<const Real*>(registers_); }
+  VCAVITY_INLINE const Real* end() const { return begin() + size; }
 
   VCAVITY_INLINE friend Pack operator-(const Pack& a) {
     return map([](const auto& x) { return -x; }, a);

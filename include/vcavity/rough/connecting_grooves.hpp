@@ -103,7 +103,7 @@ class ConnectingGrooves {
   /// BRDF × cosine of the light that goes this way, for facets that reflect all light.
   /// @param groove the groove
   /// @param facet_density D(m) of the groove's facets, see slope_distribution.hpp
-  Real density(const ConnectingGroove<Real>& groove, const Real& facet_density) const {
+  VCAVITY_INLINE Real density(const ConnectingGroove<Real>& groove, const Real& facet_density) const {
     // cos(α/2)/|h| is 1/|e + o| for one bounce; so it has its value in the mirror direction too.
     const Real slope =
         groove.bounces == 1 ? inverse_sum_ : Real(groove.cos_half / (Real(groove.bounces) * tilt_));
@@ -111,7 +111,7 @@ class ConnectingGrooves {
   }
 
   /// The groove of one bounce, a facet whose normal is half-way between the directions.
-  ConnectingGroove<Real> first() const {
+  VCAVITY_INLINE ConnectingGroove<Real> first() const {
     const Real sum_z = e_.z + o_.z;
     const Real sin_half = sum_z * inverse_sum_;
     // e · m = |e + o|/2, and what the rims of the groove leave of it.
