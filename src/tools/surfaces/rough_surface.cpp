@@ -76,7 +76,8 @@ class RoughSurface final : public Surface {
     if constexpr (std::is_same_v<typename Bsdf::Value, Mueller<double>>) {
       const Mueller<double> matrix =
           polarized_albedo(bsdf_.distribution(), e, bsdf_.facet(), matrix_tolerance, max_bounces_).value;
-      return {albedo, diattenuation(matrix), matrix};
+      // Maps of the degree of polarisation would want it at every point, and the table does not have it.
+      return {albedo, std::nullopt, matrix};
     } else {
       return {albedo, std::nullopt, std::nullopt};
     }
