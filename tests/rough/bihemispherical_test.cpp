@@ -38,6 +38,20 @@ TEST_CASE("the bi-hemispherical reflectance of rough surfaces agrees with publis
   }
 }
 
+TEST_CASE("shares of apertures add up to the whole, wherever their range is cut") {
+  for (const double roughness : {0.1, 0.3, 1.0}) {
+    double whole = 0, high = pi<double>();
+    for (int k = 2; k < 8; ++k) {
+      const double low = pi<double>() / k;
+      whole += detail::aperture_moments(GgxSlopes<double>(roughness), low, high, 1e-13).value[0];
+      high = low;
+    }
+    whole += detail::aperture_moments(GgxSlopes<double>(roughness), 0.0, high, 1e-13).value[0];
+    CAPTURE(roughness);
+    CHECK(std::abs(whole - 1) < 1e-12);
+  }
+}
+
 TEST_CASE("diffuse light knows nothing of the azimuth of the grooves") {
   const BeckmannSlopes<double> slopes(0.5);
   const auto isotropic = bihemispherical_reflectance(slopes, glass, 1e-7);

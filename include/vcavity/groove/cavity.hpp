@@ -38,14 +38,11 @@ class Cavity {
 
   /// The same groove for a renderer that makes one for every point it shades, at a third of the cost: multiples of α/2
   /// follow from the addition theorem, each wrong by less than one ε more than the one before (cavity_test.cpp).
-  /// @param aperture as above
-  /// @throws std::invalid_argument as above
+  /// @param aperture as above, and with the same exceptions
   static Cavity by_addition(const Real& aperture) { return Cavity(checked(aperture), ByAddition()); }
 
-  /// The groove of given facets, for a renderer that knows their slopes: no trigonometric
-  /// function is evaluated, unless the aperture is less than 26° or asked for. Multiples of α/2 follow from
-  /// the addition theorem; their error is that of the normal times their number, and less than one ε more for
-  /// each (cavity_test.cpp).
+  /// The groove of given facets, in the same way: no trigonometric function is evaluated, unless the aperture is less
+  /// than 26° or asked for. The error of a multiple is also that of the normal times its number.
   /// @param across,up components of the normal of a panel across the groove and along the mean normal, both ≥ 0
   ///          (the sign of the first does not matter); of any length within the range of squares
   /// @throws std::invalid_argument when the panels are vertical, closer than `smallest_aperture`, or a component
@@ -110,16 +107,16 @@ class Cavity {
   struct ByAddition {};
 
   Cavity(const Real& aperture, FromAperture)
-      : max_bounces_(bounces_at(aperture)), multiples_(aperture, half_of(aperture), max_bounces_) {
-    using std::sin;
+      : max_bounces_(bounces_at(aperture)), multiples_(aperture, half_rotation(aperture), max_bounces_) {
     inverse_sin_half_ = Real(1) / sin_half();
-    const Real sin_quarter = sin(aperture / Real(4));
+    const Real sin_quarter = half_rotation(Real(aperture / Real(2))).sine;
     versine_half_ = Real(2) * sin_quarter * sin_quarter;
   }
 
   Cavity(const Real& aperture, ByAddition)
       : max_bounces_(bounces_at(aperture)),
-        multiples_(HalfApertureMultiples<Real>::by_addition(aperture, half_of(aperture), max_bounces_)) {
+        multiples_(
+            HalfApertureMultiples<Real>::by_addition(aperture, half_rotation(aperture), max_bounces_)) {
     inverse_sin_half_ = Real(1) / sin_half();
     versine_half_ = sin_half() * sin_half() / (Real(1) + cos_half());
   }
@@ -155,13 +152,6 @@ class Cavity {
       throw_invalid_argument(message.str());
     }
     return half;
-  }
-
-  /// The nearest float to π lies above π; the panels of a flat surface must not bend the other way.
-  static Rotation half_of(const Real& aperture) {
-    using std::cos;
-    using std::sin;
-    return {at_least(Real(cos(aperture / Real(2))), Real(0)), sin(aperture / Real(2))};
   }
 
   static int bounces_at(const Real& aperture) {

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "vcavity/numbers/compiler.hpp"
+#include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
 
 namespace vcavity {
@@ -27,6 +28,16 @@ struct Rotation {
   Real cosine;
   Real sine;
 };
+
+/// Cosine and sine of half an aperture. The nearest float to π lies above π; the panels of a flat surface must not bend
+/// the other way.
+/// @param aperture in (0, π]
+template <class Real>
+Rotation<Real> half_rotation(const Real& aperture) {
+  using std::cos;
+  using std::sin;
+  return {at_least(Real(cos(aperture / Real(2))), Real(0)), sin(aperture / Real(2))};
+}
 
 /// Cosines and sines of kα/2, k = 0, 1, 2, …, of a groove of aperture α.
 template <class Real>

@@ -71,11 +71,15 @@ class GroovesOfAzimuth {
     return Real(2) * half;
   }
 
-  /// Where the aperture has fallen to a value: by halving, since the distribution tells no more. Half of all digits
-  /// will do: where an integral is cut beside a kink, its error is the square of what lies between.
+  /// Half of all binary digits: where an integral is cut beside a kink, its error is the square of what lies between.
+  static constexpr int enough_for_kinks = std::numeric_limits<Real>::digits / 2 + 1;
+
+  /// Where the aperture has fallen to a value: by halving, since the distribution tells no more.
   /// @param low, high χ between which to look
-  Real chi(const Real& aperture_there, Real low, Real high) const {
-    for (int digit = 0; digit < std::numeric_limits<Real>::digits / 2 + 1; ++digit) {
+  /// @param digits so many binary ones
+  Real chi(const Real& aperture_there, Real low, Real high,
+           int digits = std::numeric_limits<Real>::digits) const {
+    for (int digit = 0; digit < digits; ++digit) {
       const Real middle = (low + high) / Real(2);
       (aperture(middle) > aperture_there ? low : high) = middle;
     }
@@ -200,7 +204,7 @@ Quadrature<Value> mean_over_slopes(const Distribution& distribution, const scala
   Quadrature<Value> sum{Value(0), Scalar(0), 0};
   Real low(0);
   for (std::size_t i = kinks.size() + 1; i-- > 0;) {
-    const Real high = i > 0 ? grooves.chi(kinks[i - 1], low, end) : end;
+    const Real high = i > 0 ? grooves.chi(kinks[i - 1], low, end, grooves.enough_for_kinks) : end;
     if (high - low < too_short) continue;
     sum = sum + integrate<Value, 6>(integrand, low, high, tolerance * static_cast<Scalar>((high - low) / end),
                                     halvings);
