@@ -319,10 +319,10 @@ TEST_CASE("eight digits of wide grooves with unequal panels take fewer than 24,0
 
 TEST_CASE("mirrors with unequal panels, which lose light only near grazing, have an honest error estimate") {
   const AsymmetricGroove<double> groove(radians(144.5663), radians(-12.4967));
-  const auto mirror = polarized(Conductor<double>(0.0771, 79.2742));
-  const double exact = bihemispherical_reflectance(groove, mirror, 1e-13).value;
+  const auto metal = polarized(Conductor<double>(0.0771, 79.2742));
+  const double exact = bihemispherical_reflectance(groove, metal, 1e-13).value;
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
-    const auto result = bihemispherical_reflectance(groove, mirror, tolerance);
+    const auto result = bihemispherical_reflectance(groove, metal, tolerance);
     CHECK(std::abs(result.value - exact) <= result.error);
     CHECK(result.error <= tolerance);
   }
