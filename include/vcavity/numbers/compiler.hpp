@@ -8,8 +8,15 @@
 ///
 /// All that a direction needs, Fresnel's formula included, is meant to become one loop whose numbers stay in
 /// registers. By themselves compilers do that in small programs only: in large ones they stop at a limit, and
-/// calls and memory then take as much time again.
-#if defined(__GNUC__)
+/// calls and memory then take as much time again. Under Clang's sanitizers, where speed does not matter, such loops would
+/// take minutes to compile.
+#if defined(__clang__)
+#if __has_feature(address_sanitizer)
+#define VCAVITY_INLINE inline
+#else
+#define VCAVITY_INLINE [[gnu::always_inline]] inline
+#endif
+#elif defined(__GNUC__)
 #define VCAVITY_INLINE [[gnu::always_inline]] inline
 #elif defined(_MSC_VER)
 #define VCAVITY_INLINE __forceinline
