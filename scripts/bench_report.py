@@ -118,14 +118,15 @@ def reflectance(results):
 
 
 def new_grooves(results):
-    rows = []
-    for material, aperture, number in results.names(r"new_groove/(\w+)/(\d+)/(\w+)/shared"):
-        shared, from_aperture, from_normal = (results.nanoseconds("new_groove", material, aperture, number, model)
-                                              for model in ("shared", "from_aperture", "from_normal"))
-        rows.append([material, f"{aperture}°", number, digits(shared), digits(from_aperture), digits(from_normal)])
+    models = ("shared", "from_aperture", "by_addition", "from_normal")
+    rows = [[material, f"{aperture}°", number,
+             *(digits(results.nanoseconds("new_groove", material, aperture, number, model)) for model in models)]
+            for material, aperture, number in results.names(r"new_groove/(\w+)/(\d+)/(\w+)/shared")]
     return ("## A new groove per direction\n\nTime per direction in nanoseconds, with one groove for all directions, with "
-            "a new one for each from its aperture, and from the normal of its facets without trigonometric functions.\n\n" +
-            table(["facet", "aperture", "numbers", "one groove", "from the aperture", "from the normal"], rows))
+            "a new one for each from its aperture, from the same by addition, and from the normal of its facets without "
+            "trigonometric functions.\n\n" +
+            table(["facet", "aperture", "numbers", "one groove", "from the aperture", "by addition", "from the normal"],
+                  rows))
 
 
 def profiles(results):

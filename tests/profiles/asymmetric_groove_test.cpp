@@ -358,3 +358,19 @@ TEST_CASE("the BSDF of an asymmetric groove draws its lobes, and its samples add
     CHECK(bsdf.albedo(wo) == directional_reflectance(groove, wo, metal));
   }
 }
+
+TEST_CASE(
+    "many bounces at once are those of one after the other, however unequal the panels of a narrow groove") {
+  // As functions of all of a bounce, facets are asked bounce by bounce.
+  const auto facet = [](const double& cosine) { return 1 - 1e-3 * (1 + cosine) * cosine; };
+  const auto one_by_one = [&](const Bounce<double>& bounce) { return facet(bounce.cosine); };
+  for (const double tilt_deg : {0.0, 60.0, 89.0, 89.5, -89.5}) {
+    const AsymmetricGroove<double> groove(radians(0.5), radians(tilt_deg));
+    for (int i = 0; i < 90; ++i) {
+      const Vec3<double> e = direction(radians(i + 0.5), radians(i % 2 == 0 ? 10.0 : 190.0));
+      CAPTURE(tilt_deg, i);
+      CHECK(directional_reflectance(groove, e, facet) ==
+            Approx(directional_reflectance(groove, e, one_by_one)).epsilon(1e-11));
+    }
+  }
+}

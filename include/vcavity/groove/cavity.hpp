@@ -36,8 +36,8 @@ class Cavity {
   /// @throws std::invalid_argument when the aperture lies outside that range or is not a number
   explicit Cavity(const Real& aperture) : Cavity(checked(aperture), FromAperture()) {}
 
-  /// The same groove for a renderer that makes one for every point it shades, at a third of the cost: multiples of α/2
-  /// follow from the addition theorem, each wrong by less than one ε more than the one before (cavity_test.cpp).
+  /// The same groove for a renderer that makes one for every point it shades, in less time: multiples of α/2 follow
+  /// from the addition theorem, each wrong by less than one ε more than the one before (cavity_test.cpp).
   /// @param aperture as above, and with the same exceptions
   static Cavity by_addition(const Real& aperture) { return Cavity(checked(aperture), ByAddition()); }
 

@@ -68,6 +68,9 @@ concept UnfoldableGroove = requires(const Groove& groove, const Vec3<Real>& e, c
   { lit_opening(groove, e).first_met(Panel::one) } -> std::convertible_to<Real>;
   { lit_opening(groove, e).reached(ray, e.z) } -> std::same_as<Real>;
   { shared_bounces(groove, ray).include(ray) } -> std::same_as<bool>;
+  requires !std::floating_point<Real> || requires(const Real& component) {
+    { count_shared_bounces(groove, Panel::one, component, component, 1) } -> std::same_as<int>;
+  };
 };
 
 }  // namespace vcavity

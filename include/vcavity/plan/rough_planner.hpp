@@ -37,8 +37,8 @@ namespace vcavity {
 
 namespace detail {
 
-/// The share of the mean area that grooves narrower than an aperture have; of the larger of those at the axes of the
-/// distribution, between which it lies at all other azimuths.
+/// The share of the mean area that grooves narrower than an aperture have, at the worst of some azimuths of a quarter
+/// turn. The distributions of this library have it on one of their axes, which are among them.
 template <SlopeDistribution Distribution>
 double share_of_narrower_grooves(const Distribution& distribution, double aperture) {
   double sum = 0;
@@ -53,7 +53,11 @@ double share_of_narrower_grooves(const Distribution& distribution, double apertu
       }
       return 1 - wider;
     };
-    sum += share * at_least(share_at(0.0), share_at(0.25));
+    constexpr int azimuths = 16;
+    double largest_share = 0;
+    for (int i = 0; i <= azimuths; ++i)
+      largest_share = at_least(largest_share, share_at(0.25 * i / azimuths));
+    sum += share * largest_share;
   });
   return sum;
 }
