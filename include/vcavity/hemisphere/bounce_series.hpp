@@ -17,9 +17,14 @@
 ///
 /// From m to m + 2 bounces the product gains a factor at either end: so all its terms together cost two
 /// facet reflectances each. As a function of u the sum is smooth, however many kinks the reflectance has as a
-/// function of the direction; but for the rays of most bounces, which end at (π − (m − 1) α)/2, and where
-/// the overlap meets the apex, at ((m + 1) α − π)/2. For ρ = 1 integration gives the crossed strings of
-/// Hottel, W_m.
+/// function of the direction; but for the rays of most bounces, N, which end at u = a = (π − (N − 1) α)/2, and where
+/// the overlap of those that bounce once less meets the apex, at u = b = (N α − π)/2. For ρ = 1 integration gives the
+/// crossed strings of Hottel, W_m.
+///
+/// Only the overlaps have these kinks, and the product of a number of bounces has none. With T_m = 2 sin(mα/2) sin(α/2 − u)
+/// the rays of up to N − 1 bounces are smooth together, as if none met the apex; those of N − 1 are then too many by
+/// sin(b − u) for u < b, and those of N bounces are left, with the overlap sin(a − u) for u < a. Each of the three can be
+/// integrated by itself.
 ///
 /// When not to use it: for grooves that are not symmetric, and for facets that depend on the panel or on the
 /// number of the bounce.
@@ -42,6 +47,13 @@ struct RayEnds {
   Real cosine_last, sine_last;    ///< of x_m
 };
 
+/// The rays of a series and their overlaps.
+enum class RaysAcross {
+  all,         ///< of up to a number of bounces, as they are
+  as_if_free,  ///< the same, as if none met the apex
+  single       ///< of this number of bounces only, with the overlap 1
+};
+
 /// The geometry of the series for one u.
 template <class Real>
 class BounceSeries {
@@ -56,10 +68,11 @@ class BounceSeries {
   /// @param cavity must outlive the series
   /// @param u in [0, α/2]
   /// @param max_bounces terms of more bounces are left out
-  BounceSeries(const Cavity<Real>& cavity, const Real& u, int max_bounces)
-      : cavity_(&cavity), u_(u), size_(std::min(max_bounces, cavity.max_bounces())) {
+  /// @param rays with `as_if_free`, `max_bounces` is less than the groove's; with `single`, rays of that many reach u
+  BounceSeries(const Cavity<Real>& cavity, const Real& u, int max_bounces, RaysAcross rays = RaysAcross::all)
+      : cavity_(&cavity), u_(u), size_(std::min(max_bounces, cavity.max_bounces())), rays_(rays) {
     // The rays of most bounces may not come to this u at all.
-    while (size_ > 0 && !(angle(size_) + u < pi<Real>() / Real(2))) --size_;
+    while (rays == RaysAcross::all && size_ > 0 && !(angle(size_) + u < pi<Real>() / Real(2))) --size_;
     constexpr int usual = 8;
     terms_.reserve(static_cast<std::size_t>(std::min(size_, usual)));
   }
@@ -78,9 +91,13 @@ class BounceSeries {
   /// T for a number of bounces that need not be an integer, below `unclipped()`.
   Real smooth_weight(const Real& m) const {
     using std::sin;
+    if (is_single()) return Real(0);
     const Real half = cavity_->aperture() / Real(2);
     return Real(2) * sin(m * half) * sin(half - u_);
   }
+
+  /// Whether there are rays of `size()` bounces only.
+  bool is_single() const { return rays_ == RaysAcross::single; }
 
   /// The bounces at the angles u ∓ kα/2, for a k that need not be an integer.
   RayEnds<Real> ends(const Real& k) const {
@@ -93,7 +110,7 @@ class BounceSeries {
 
   /// The largest number of bounces of rays that lie as far from the apex as those of fewer.
   int unclipped() const {
-    int m = size_;
+    int m = is_single() ? size_ - 1 : size_;
     while (m > 0 && is_clipped(m)) --m;
     return m;
   }
@@ -102,6 +119,7 @@ class BounceSeries {
   /// @param m number of bounces, from −1
   Real rest(int m) const {
     using std::sin;
+    if (is_single()) return Real((size_ - m) % 2 == 0 && m < size_ ? 1 : 0);
     const Real half = cavity_->aperture() / Real(2);
     Real sum(0);
     int last = m + (size_ - m) / 2 * 2;
@@ -118,11 +136,14 @@ class BounceSeries {
   Real angle(int m) const { return Real(m - 1) * (cavity_->aperture() / Real(2)); }
 
   /// Whether the overlap meets the apex.
-  bool is_clipped(int m) const { return angle(m) + cavity_->aperture() - u_ > pi<Real>() / Real(2); }
+  bool is_clipped(int m) const {
+    return rays_ == RaysAcross::all && angle(m) + cavity_->aperture() - u_ > pi<Real>() / Real(2);
+  }
 
   Real weight(int m) const {
     using std::cos;
     using std::sin;
+    if (is_single()) return Real(m == size_ ? 1 : 0);
     const Real half = cavity_->aperture() / Real(2);
     return is_clipped(m) ? cos(angle(m) + u_) : Real(2) * sin(Real(m) * half) * sin(half - u_);
   }
@@ -140,6 +161,7 @@ class BounceSeries {
   const Cavity<Real>* cavity_;
   Real u_;
   int size_;
+  RaysAcross rays_;
   mutable std::vector<Term> terms_;  // as far as asked for
 };
 

@@ -82,13 +82,13 @@ class CavityIntegrand {
   /// Cuts the range along the groove at no more places than this, for a result of few digits.
   void take_cuts(std::size_t most) { most_cuts_ = most; }
 
+  /// The width of the range of u.
+  Real width() const { return cavity_->aperture() / Real(2); }
+
   /// How much the integral is off because of kinks that `pieces_across` does not cut at.
   Real left_uncut() const { return left_uncut_; }
 
-  /// α
-  Real aperture() const { return cavity_->aperture(); }
-
-  /// Whether the integrand is sin(α/2 − u) times an even function of u, where there is but one piece across.
+  /// Whether each part in one piece is sin(width − u) times an even function of u.
   bool even_across() const { return is_narrow(*cavity_) && !is_cut() && !singularities_.cosines().empty(); }
 
   /// How far the singularities of a bounce are from any angle, up to 1.
@@ -104,21 +104,51 @@ class CavityIntegrand {
   /// Upper bound on the integral over ψ at any u, for facets that reflect all light.
   static constexpr double largest_along = 1.6;  // π/4 times T_1 + T_2 + … ≤ 2
 
-  /// The pieces of the range of u.
-  /// @param negligible a part of the integral that may be neglected: kinks of less light are not cut at
-  std::vector<QuadraturePiece<Real>> pieces_across(const Real& negligible) {
+  /// A part of the integral across.
+  struct Part {
+    RaysAcross rays;
+    int most_bounces;
+    Real width;                                 ///< the range of u is from 0 to this, where the overlap is 0
+    Real sign;                                  ///< with which the part is added to the others
+    std::vector<QuadraturePiece<Real>> pieces;  ///< of that range
+  };
+
+  /// The parts of the integral across (bounce_series.hpp).
+  /// @param negligible a part of the integral that may be neglected: kinks of less light are not looked at
+  /// @param are_apart whether rays of most bounces make parts of their own, where their kinks would be seen; else all rays
+  /// are integrated together from kink to kink
+  std::vector<Part> parts_across(const Real& negligible, bool are_apart) {
+    const Real half = cavity_->aperture() / Real(2);
+    constexpr int few_bounces = 3;  // survived by light that is not negligible
+    left_uncut_ = cavity_->max_bounces() > few_bounces ? light_of_longest_rays(negligible) : negligible;
+    const bool are_kinks_seen = !(left_uncut_ < negligible);
+    const auto [end, apex] = ends_of_rays();
+    if (are_kinks_seen) left_uncut_ = Real(0);
+    if (!are_kinks_seen || !are_apart || !(end > Real(0) && end < half))
+      return {{RaysAcross::all, max_bounces_, half, Real(1), pieces_across(negligible, are_kinks_seen)}};
+    const int most = cavity_->max_bounces();
+    std::vector<Part> parts;
+    const auto add = [&](RaysAcross rays, int bounces, const Real& width, int sign) {
+      parts.push_back({rays, bounces, width, Real(sign), pieces_between({Real(0), width})});
+    };
+    add(RaysAcross::as_if_free, std::min(max_bounces_, most - 1), half, 1);
+    if (max_bounces_ >= most) add(RaysAcross::single, most, end, 1);
+    if (max_bounces_ >= most - 1) add(RaysAcross::single, most - 1, apex, -1);
+    return parts;
+  }
+
+  /// The pieces of the range of u for all rays.
+  /// @param negligible a part of the integral that may be neglected
+  /// @param are_kinks_seen whether there are kinks where the longest rays end
+  std::vector<QuadraturePiece<Real>> pieces_across(const Real& negligible, bool are_kinks_seen) {
     using std::acos;
     const Real half = cavity_->aperture() / Real(2);
     std::vector<Real> ends{Real(0), half};
     const auto add = [&](const Real& u) {
       if (u > Real(0) && u < half) ends.push_back(u);
     };
-    constexpr int few_bounces = 3;  // survived by light that is not negligible
-    left_uncut_ = cavity_->max_bounces() > few_bounces ? light_of_longest_rays(negligible) : negligible;
-    if (!(left_uncut_ < negligible)) {
-      left_uncut_ = Real(0);
+    if (are_kinks_seen)
       for (const Real& u : ends_of_rays()) add(u);
-    }
     critical_is_lit_ = singularities_.is_cut() && is_lit_at_critical_angle(negligible);
     if (critical_is_lit_) {
       const Real turns = acos(singularities_.critical()) / half;
@@ -170,10 +200,11 @@ class CavityIntegrand {
   /// The integrand at one u, as a function of ψ.
   class Along {
    public:
-    Along(const CavityIntegrand& integrand, const Real& u, const Real& negligible)
+    Along(const CavityIntegrand& integrand, const Part& part, const Real& u, const Real& negligible)
         : integrand_(&integrand),
-          series_(*integrand.cavity_, u, integrand.max_bounces_),
-          negligible_(negligible) {
+          series_(*integrand.cavity_, u, part.most_bounces, part.rays),
+          weight_(overlap(part, u)),
+          negligible_(at_most(Real(negligible / at_least(weight_, negligible)), Real(0.1))) {
       if (integrand_->singularities_.is_cut()) find_critical_angles();
     }
 
@@ -191,7 +222,7 @@ class CavityIntegrand {
     }
 
     /// The factor of the integral over ψ.
-    Real weight() const { return Real(1); }
+    Real weight() const { return weight_; }
 
     /// The pieces of the range of the variable along the groove.
     std::vector<QuadraturePiece<Real>> pieces() const {
@@ -241,6 +272,12 @@ class CavityIntegrand {
     }
 
    private:
+    /// What the series leaves out of the overlap: single rays are as many at any u.
+    static Real overlap(const Part& part, const Real& u) {
+      using std::sin;
+      return part.rays == RaysAcross::single ? Real(sin(part.width - u)) : Real(1);
+    }
+
     Real least_cosine() const {
       using std::cbrt;
       return at_most(Real(cbrt(negligible_)), Real(0.5));
@@ -309,12 +346,17 @@ class CavityIntegrand {
 
     const CavityIntegrand* integrand_;
     BounceSeries<Real> series_;
+    Real weight_;
     Real negligible_;
     Real uncut_{0};                                   // error from kinks between the cuts
     std::vector<CriticalAngle<Real>> angles_, cuts_;  // ascending
   };
 
-  Along at(const Real& u, const Real& negligible) const { return Along(*this, u, negligible); }
+  /// @param part that this u belongs to
+  /// @param negligible part of the integral over ψ
+  Along at(const Part& part, const Real& u, const Real& negligible) const {
+    return Along(*this, part, u, negligible);
+  }
 
  private:
   /// Where the rays of most bounces end, and where the overlap meets the apex.
@@ -324,14 +366,18 @@ class CavityIntegrand {
     return {pi<Real>() / Real(2) - (longest - Real(1)) * half, longest * half - pi<Real>() / Real(2)};
   }
 
-  /// Upper bound on the part of the integral with the two largest numbers of bounces; its kinks in u are all that
-  /// there are. Such light survives almost along the groove, or where facets reflect nearly all of it; how much does is
-  /// looked up for a few directions beyond those where it is negligible, because metals reflect least in between.
+  /// Upper bound on what is off where the kinks of the two largest numbers of bounces are not looked at; there are no
+  /// others in u. It is their part of the integral or, with a kink next to an end of the range, the part beyond it. Such
+  /// light survives almost along the groove, or where facets reflect nearly all of it; how much does is looked up for a few
+  /// directions beyond those where it is negligible, because metals reflect least in between.
   Real light_of_longest_rays(const Real& negligible) const {
     using std::cbrt;
     using std::sqrt;
     const Real aperture = cavity_->aperture();
-    const Real width = aperture * aperture;  // of both: ∫ T du
+    const auto [end, apex] = ends_of_rays();
+    const Real beyond = at_least(at_most(end, apex), Real(0));
+    const Real width = aperture * at_most(aperture, Real(2) * beyond);  // of both: ∫ T du, or a node times T
+    if (!(width > Real(0))) return Real(0);
     const Real cosine = cbrt(Real(negligible / width));
     const BounceSeries<Real> series(*cavity_, Real(0), max_bounces_);
     if (series.size() < cavity_->max_bounces() - 1) return Real(0);

@@ -3,12 +3,13 @@
 
 /// Quadrature across a narrow groove by two or three nodes.
 ///
-/// Method. Where rays of all numbers of bounces that count reach every angle u in [0, α/2], the integrand is
-/// sin(α/2 − u) h(u²), with an h that in narrow grooves is almost constant: u moves every bounce by less than half an
+/// Method. A part of the rays whose overlap is free of kinks (bounce_series.hpp) makes an integrand sin(w − u) h(u²) over u
+/// in [0, w], w ≤ α/2, with an h that in narrow grooves is almost constant: u moves every bounce by less than half an
 /// aperture. The Gauss rule of n nodes in u² for that weight is exact for h up to u^(4n − 2); its nodes are the zeros of the
 /// orthogonal polynomial (Stieltjes' procedure; Gautschi, "Orthogonal Polynomials", 2004, section 2.2.3). The error is
 /// that of the term of u^(4n), estimated from the slope of h, from the distance of the next singularity, and from the
-/// number of factors that change with u, some 1/α, each by the square of it.
+/// square of the range: what the bounces of a ray change with u adds up to what it gains at one end and loses at the other,
+/// (u²/α) d ln ρ/dx at the last bounce x = mα/2. Where that is more, as in a mirror whose last bounces graze, h shows it.
 ///
 /// When not to use it: for facets with a critical angle, and for grooves of few bounces.
 
@@ -23,21 +24,20 @@
 
 namespace vcavity::detail {
 
-/// The rule for one aperture, in t = (u/(α/2))².
+/// The rule for one width w, in t = (u/w)².
 template <class Real, std::size_t count>
 class EvenAcross {
  public:
   struct Node {
     Real u;
     Real weight;  ///< of the integrand itself
-    Real hat;     ///< sin(α/2 − u)
+    Real hat;     ///< sin(w − u)
   };
 
-  /// @param aperture α
-  explicit EvenAcross(const Real& aperture) : aperture_(aperture) {
+  /// @param width w, at most π/2
+  explicit EvenAcross(const Real& width) : width_(width) {
     using std::sin;
     using std::sqrt;
-    const Real half = aperture / Real(2);
     constexpr std::size_t enough_nodes = 12;
     struct Weighted {
       Real t, weight;
@@ -46,7 +46,7 @@ class EvenAcross {
     const auto legendre = gauss_legendre<Real>(enough_nodes);
     for (std::size_t i = 0; i < enough_nodes; ++i) {
       const Real s = (Real(1) + legendre[i].x) / Real(2);
-      measure[i] = {s * s, half * legendre[i].weight / Real(2) * sin(half * (Real(1) - s))};
+      measure[i] = {s * s, width * legendre[i].weight / Real(2) * sin(width * (Real(1) - s))};
     }
     for (std::size_t k = 0; k <= count; ++k) {
       Real moment(0);
@@ -73,8 +73,8 @@ class EvenAcross {
       Real sum(0);
       const Polynomials p = polynomials(t, count);
       for (std::size_t k = 0; k < count; ++k) sum += p.value[k] * p.value[k] / norm_[k];
-      const Real s = sqrt(t), hat = sin(half * (Real(1) - s));
-      nodes_[i] = {half * s, Real(1) / (sum * hat), hat};
+      const Real s = sqrt(t), hat = sin(width * (Real(1) - s));
+      nodes_[i] = {width * s, Real(1) / (sum * hat), hat};
     }
   }
 
@@ -87,11 +87,11 @@ class EvenAcross {
     constexpr double safety = 25;  // as for series (legendre_series.hpp)
     const double largest = std::max(difference, size);
     if (!(largest > 0)) return 0;  // there is no light
-    const double half = static_cast<double>(aperture_) / 2;
-    if (!(distance > half)) return largest;  // the singularity is too near to say anything
+    const double width = static_cast<double>(width_);
+    if (!(distance > width)) return largest;  // the singularity is too near to say anything
     const double slope = difference / static_cast<double>(squares_[1] - squares_[0]);
-    const double nearness = half / distance;
-    const double fall = std::max({slope / largest, nearness * nearness, static_cast<double>(aperture_)});
+    const double nearness = width / distance;
+    const double fall = std::max({slope / largest, nearness * nearness, 4 * width * width});
     // The norm of the polynomial of the nodes is what the rule makes of t^(2n), wrongly.
     return safety * largest * std::pow(fall, 2 * static_cast<double>(count)) *
            static_cast<double>(norm_[count]);
@@ -116,7 +116,7 @@ class EvenAcross {
     return p;
   }
 
-  Real aperture_;
+  Real width_;
   std::array<Real, count> centre_{}, squares_{};
   std::array<Real, count + 1> norm_{};  ///< ∫ of the square of a polynomial with the weight
   std::array<Node, count> nodes_;

@@ -8,8 +8,8 @@
 /// (adaptive_quadrature.hpp); its error adds to that of the whole and is noise to the outer series. The pieces
 /// that one inner integral ended with are where the next begins.
 ///
-/// An integrand tells its pieces across (`pieces_across`, `piece_across`), and `at(angle, negligible)` what it
-/// is as a function of ψ there: `pieces()`, `piece(low, high)`, `weight()`, and the reflectance itself when
+/// An integrand tells the parts that it is the sum of (`parts_across`) with their pieces, and `at(part, angle, negligible)`
+/// what a part is as a function of ψ there: `pieces()`, `piece(low, high)`, `weight()`, and the reflectance itself when
 /// called with a facet, sin ψ, cos ψ and a limit of bounces. See cavity_integrand.hpp.
 
 #include <algorithm>
@@ -66,40 +66,34 @@ class HemisphereQuadrature {
   /// @param limit of all evaluations
   Integral<Value> attempt(double tolerance, long long limit) {
     limit_ = limit;
-    along_pieces_.clear();
-    kept_orders_.clear();
     const double norm = static_cast<double>(integrand_.norm());
     // Half of it for the outer rule, the rest for the inner ones and for light that is not followed.
     const double all = tolerance / norm;
     double width = 0;
-    auto pieces = integrand_.pieces_across(static_cast<Real>(0.05 * all));
-    for (const auto& piece : pieces) width += static_cast<double>(piece.high - piece.low);
+    const double across_tolerance = 0.5 * all;
+    auto parts =
+        integrand_.parts_across(static_cast<Real>(0.05 * all), may_do_with_few_nodes(across_tolerance));
+    for (const Part& part : parts) width += static_cast<double>(part.width);
     along_tolerance_ = 0.4 * all / width;
     negligible_ = static_cast<Real>(std::min(0.05 * along_tolerance_, 0.1));
-    const double across_tolerance = 0.5 * all;
-    auto result = AdaptiveIntegral<Value>{Value(0), across_tolerance * 2, 0};
-    if (pieces.size() == 1 && integrand_.even_across()) {
-      result = by_few_nodes<2>(across_tolerance);
-      if (result.error > across_tolerance) result = by_few_nodes<3>(across_tolerance);
+    Value sum(0);
+    double off = static_cast<double>(integrand_.left_uncut());
+    for (Part& part : parts) {
+      const auto result = integral_across(part, across_tolerance / static_cast<double>(parts.size()));
+      sum = sum + static_cast<Scalar>(part.sign) * result.value;
+      off += result.error + result.noise;
     }
-    if (result.error > across_tolerance)
-      result = integrate_adaptively<Real, Value>(
-          pieces, across_tolerance,
-          {1, min_series_order, 40, integrand_.believed_across(), max_series_order, margin_across},
-          [&](const auto& piece, const auto& rule) { return across(piece, rule); },
-          [&](const Piece& piece) { return integrand_.halves_across(piece); },
-          [&] { return is_exhausted(); });
-    const Scalar factor = static_cast<Scalar>(integrand_.norm());
-    const Value value = factor * result.value;
-    const double error =
-        norm * (result.error + result.noise + static_cast<double>(integrand_.left_uncut())) + rounding(value);
+    const Value value = static_cast<Scalar>(integrand_.norm()) * sum;
+    const double error = norm * off + rounding(value);
     return {value, static_cast<Scalar>(at_most_all_light(error)), evaluations_};
   }
 
   using Rule = SeriesRule<Real>;
   using Piece = QuadraturePiece<Real>;
+  using Part = typename Integrand::Part;
 
   static constexpr long long max_evaluations = 20'000'000;
+  static constexpr std::size_t most_even_nodes = 3;
   static constexpr double margin_across = 0.03;  // by trial: fewest evaluations
 
   /// Whether facets are asked for several directions of the same angle across at once.
@@ -122,21 +116,48 @@ class HemisphereQuadrature {
 
   bool is_exhausted() const { return evaluations_ >= limit_; }
 
-  /// The outer integral of an integrand that is almost even (even_across.hpp).
+  /// Whether few nodes across do, as far as is known beforehand. Light that bounces most often is little in narrow grooves,
+  /// but its kinks would be seen where all the rest is as good as even: then it is worth while to integrate it apart.
+  bool may_do_with_few_nodes(double tolerance) const {
+    if (!integrand_.even_across()) return false;
+    const EvenAcross<Real, most_even_nodes> rule(integrand_.width());
+    return rule.error(0, 1 / static_cast<double>(integrand_.width()), integrand_.singularity_across()) <=
+           tolerance;
+  }
+
+  /// The outer integral of a part.
+  AdaptiveIntegral<Value> integral_across(Part& part, double tolerance) {
+    along_pieces_.clear();
+    kept_orders_.clear();
+    if (part.pieces.size() == 1 && integrand_.even_across()) {
+      const auto by_two = by_few_nodes<2>(part, tolerance);
+      if (by_two.error <= tolerance) return by_two;
+      const auto by_three = by_few_nodes<most_even_nodes>(part, tolerance);
+      if (by_three.error <= tolerance) return by_three;
+    }
+    return integrate_adaptively<Real, Value>(
+        part.pieces, tolerance,
+        {1, min_series_order, 40, integrand_.believed_across(), max_series_order, margin_across},
+        [&](const auto& piece, const auto& rule) { return across(part, piece, rule); },
+        [&](const Piece& piece) { return integrand_.halves_across(piece); }, [&] { return is_exhausted(); });
+  }
+
+  /// The outer integral of a part that is almost even (even_across.hpp).
   template <std::size_t count>
-  AdaptiveIntegral<Value> by_few_nodes(double tolerance) {
-    const EvenAcross<Real, count> rule(integrand_.aperture());
+  AdaptiveIntegral<Value> by_few_nodes(const Part& part, double tolerance) {
+    const EvenAcross<Real, count> rule(part.width);
     const double distance = integrand_.singularity_across();
     AdaptiveIntegral<Value> result{Value(0), 0, 0};
     Value first(0);
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto& node = rule.nodes()[i];
-      const auto along = integrand_.at(node.u, negligible_);
+      const auto along = integrand_.at(part, node.u, negligible_);
       const auto inner = integral_along(along);
-      result.value = result.value + static_cast<Scalar>(node.weight) * inner.value;
-      result.noise += static_cast<double>(node.weight) * error_along(along, inner);
-      const Value even = static_cast<Scalar>(Real(1) / node.hat) * inner.value;
+      const Real weight = node.weight * along.weight();
+      result.value = result.value + static_cast<Scalar>(weight) * inner.value;
+      result.noise += static_cast<double>(weight) * error_along(along, inner);
+      const Value even = static_cast<Scalar>(along.weight() / node.hat) * inner.value;
       if (i == 0) first = even;
       if (i == 1) difference = static_cast<double>(largest(Value(even + Scalar(-1) * first)));
       size = std::max(size, static_cast<double>(largest(even)));
@@ -160,13 +181,13 @@ class HemisphereQuadrature {
   }
 
   /// The inner integrals at the nodes of an outer rule.
-  PieceEstimate<Value> across(const Piece& piece, const Rule& rule) {
+  PieceEstimate<Value> across(const Part& part, const Piece& piece, const Rule& rule) {
     const auto [middle, half] = middle_and_half(piece);
     SeriesSum<Value, Real> sum;
     double noise = 0;
     for (const auto& node : rule.nodes) {
       const auto [x, slope] = piece.variable.at(node.x);
-      const auto along = integrand_.at(middle + half * x, negligible_);
+      const auto along = integrand_.at(part, middle + half * x, negligible_);
       const Real scale = half * slope * along.weight();
       const auto inner = integral_along(along);
       std::array<Real, Rule::terms> projection;
@@ -187,8 +208,9 @@ class HemisphereQuadrature {
         pieces[pieces.size() - 1 - i].order = kept_orders_[i];
     }
     const std::size_t count = pieces.size();
+    const double tolerance = along_tolerance_ / static_cast<double>(along.weight());
     const auto result = integrate_adaptively<Real, Value>(
-        pieces, along_tolerance_, {4, min_series_order, 56, 1, integrand_.start_along()},
+        pieces, tolerance, {4, min_series_order, 56, 1, integrand_.start_along()},
         [&](const auto& piece, const auto& rule) { return estimate_along(along, piece, rule); },
         [&](const Piece& piece) { return along.halves(piece); }, [&] { return is_exhausted(); });
     if (integrand_.is_cut() && pieces.size() == count) {

@@ -168,10 +168,18 @@ class TurningEndBounces {
   /// @param here the step to here
   /// @param weight of the last terms
   /// @param rest of the weights
-  static Reals light_after(const Throughput& light, const Step& here, int m, const Real& weight,
-                           const Real& rest) {
+  Reals light_after(const Throughput& light, const Step& here, int m, const Real& weight,
+                    const Real& rest) const {
     const Throughput factor = growth(here);
     const Reals most = select(factor.ss >= factor.pp, factor.ss, factor.pp);
+    if (series_->is_single()) {
+      // A loss in proportion to the cosine of incidence is at least half as large, in the mean over what follows.
+      const Real steps = Real(series_->size() - m) / Real(4);
+      return unpolarized(light) * transformed(most, [&](const Real& a) {
+               using std::pow;
+               return Real(pow(a, steps));
+             });
+    }
     constexpr Real later = Real(2);  // so much less is lost towards grazing incidence
     const Reals terms =
         Reals(later) / at_least(Reals(Reals(Real(1)) - most), std::numeric_limits<Real>::epsilon());
@@ -284,7 +292,7 @@ void follow_fields(const BounceSeries<Real>& series, const EndBounces<Real, Face
     const auto odd = series[m - 1], even = series[m];
     const auto here = turning.step(even.ends, m);
     const Reals uncertain = Turning::uncertain(all, here);
-    const Reals left = Turning::light_after(all, here, m, odd.weight + even.weight, odd.rest + even.rest);
+    const Reals left = turning.light_after(all, here, m, odd.weight + even.weight, odd.rest + even.rest);
     constexpr Real share = Real(3);
     if (!(largest(Reals(uncertain * left)) <= share * limits.negligible)) return false;
     SeriesValue<Sum, Real> rest{Sum(0), Real(0)};
