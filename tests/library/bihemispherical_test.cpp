@@ -542,6 +542,15 @@ TEST_CASE(
         CHECK(result.evaluations <= limit);
       };
       check(metal, most);
+      // Facets that say nothing about themselves are integrated from kink to kink.
+      if (aperture_deg > 0.05) {
+        const auto apart = bihemispherical_reflectance(cavity, metal, 1e-10);
+        const auto together =
+            bihemispherical_reflectance(cavity, [&metal](double cosine) { return metal(cosine); }, 1e-11);
+        CAPTURE(aperture_deg, metal(1.0), apart.value, together.value, together.error, together.evaluations);
+        CHECK(std::abs(apart.value - together.value) <= apart.error + together.error);
+        CHECK(together.error <= 1e-11);
+      }
       check(separately_polarized(metal), most);
       check(polarized(metal), most_with_fields);
     }
