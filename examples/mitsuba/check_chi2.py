@@ -9,7 +9,7 @@ both directions. Its integrals over cells of the sphere, for which the test has 
 in the coordinates of the grooves, ψ and θ', in which it is finite: dω = |h| dψ dθ'.
 
 Mitsuba runs the test in a vectorised variant and needs LLVM for it. The plug-in is called in a scalar one, and in all
-vectorised ones."""
+vectorised ones of LLVM; with --backend cuda in those of CUDA alone."""
 
 import argparse
 import math
@@ -22,7 +22,6 @@ import numpy as np
 import vgroove
 
 FALSE_ALARM_RATE = 1e-3  # of all tests together
-VARIANT_OF_TEST = "llvm_ad_rgb"
 # (parameters, θ, φ) in degrees
 CASES = [
     ({"distribution": "ggx", "roughness": 0.15}, 30, 20),
@@ -42,7 +41,7 @@ CASES = [
     ({"lobe_width": 15.0, "aperture": 50.0, "tilt": -50.0, "rotation": 30.0}, 60, 250),
 ]
 
-VECTORISED_VARIANTS = ("llvm_ad_rgb", "llvm_ad_spectral", "llvm_ad_spectral_polarized")
+COLOURS = ("rgb", "spectral", "spectral_polarized")
 VECTORISED_CASES = [
     ({"lobe_width": 10.0, "aperture": 70.0}, 20, 40),
     ({"lobe_width": 5.0, "aperture": 35.0, "rotation": 20.0}, 55, 250),
@@ -157,24 +156,15 @@ def check_vectorised(samples, test_count):
     return failed
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--samples", type=int, default=200_000, help="directions per test; 200000 by default")
-    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
-    options = parser.parse_args()
-    vgroove.start(VARIANT_OF_TEST, options.plug_in)
-    test_count = len(CASES) + len(VECTORISED_VARIANTS) * len(VECTORISED_CASES)
-    failed = 0
-    for variant in VECTORISED_VARIANTS:
-        mi.set_variant(variant)
-        vgroove.load(options.plug_in)
-        failed += check_vectorised(options.samples, test_count)
+def check_scalar(variant_of_test, options, test_count):
+    """How many of the tests of the scalar variant have failed, which are run in another one."""
     mi.set_variant("scalar_rgb")
     vgroove.load(options.plug_in)
     functions = [scalar_functions(parameters, math.radians(theta), math.radians(phi))
                  for parameters, theta, phi in CASES]
-    mi.set_variant(VARIANT_OF_TEST)
+    mi.set_variant(variant_of_test)
     import mitsuba.chi2
+    failed = 0
     for (parameters, theta, phi), (sample, pdf, largest, e) in zip(CASES, functions):
 
         def sample_arrays(u, sample=sample):
@@ -194,6 +184,27 @@ def main():
         if not passed or largest[0] > 1 + 1e-6:
             print(test.messages, file=sys.stderr)
             failed += 1
+    return failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--samples", type=int, default=200_000, help="directions per test; 200000 by default")
+    parser.add_argument("--backend", default="llvm", choices=["llvm", "cuda"],
+                        help="what the vectorised variants run on; llvm by default")
+    parser.add_argument("--plug-in", metavar="FOLDER", default=None, help="where it was built; build/mitsuba by default")
+    options = parser.parse_args()
+    variants = [f"{options.backend}_ad_{colours}" for colours in COLOURS]
+    vgroove.start(variants[0], options.plug_in)
+    scalar_too = options.backend == "llvm"
+    test_count = len(variants) * len(VECTORISED_CASES) + (len(CASES) if scalar_too else 0)
+    failed = 0
+    for variant in variants:
+        mi.set_variant(variant)
+        vgroove.load(options.plug_in)
+        failed += check_vectorised(options.samples, test_count)
+    if scalar_too:
+        failed += check_scalar(variants[0], options, test_count)
     return 1 if failed else 0
 
 

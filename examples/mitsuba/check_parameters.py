@@ -77,9 +77,13 @@ REFUSED_VECTORISED = [
 ]
 
 
+VARIANTS = ("scalar_rgb", "scalar_spectral", "scalar_spectral_polarized", "llvm_ad_rgb", "llvm_ad_spectral",
+            "llvm_ad_spectral_polarized")
+
+
 def main():
-    for variant in ("scalar_rgb", "scalar_spectral", "scalar_spectral_polarized", "llvm_ad_rgb", "llvm_ad_spectral",
-                    "llvm_ad_spectral_polarized"):
+    """Arguments: the folder of the plug-in, and the variants, all of its usual ones by default."""
+    for variant in sys.argv[2:] or VARIANTS:
         try:
             mi.set_variant(variant)
         except ImportError as error:

@@ -10,8 +10,10 @@
 
 namespace vgroove {
 
+/// @tparam backend of Dr.Jit: LLVM, or CUDA where the plug-in is built with it
 /// @param name of the plug-in
 /// @param register_plugin Mitsuba's function
-void register_llvm_variants(std::string_view name, mitsuba::PluginRegisterFn register_plugin);
+template <JitBackend backend>
+void register_vectorised_variants(std::string_view name, mitsuba::PluginRegisterFn register_plugin);
 
 }  // namespace vgroove

@@ -25,7 +25,7 @@
 ///  - `concentration` κ of the azimuths of brushed grooves about that axis, in [0, 1e6]; 100 by default
 ///  - `lobe_width`   spread of each mirror direction in degrees (spread_bsdf.hpp); 0 by default
 ///
-/// One-sided, like `conductor`. Built for the scalar variants and for those of LLVM.
+/// One-sided, like `conductor`. Built for the scalar variants, for those of LLVM, and on request for those of CUDA.
 
 #include <mitsuba/core/plugin.h>
 
@@ -50,5 +50,8 @@ extern "C" MI_EXPORT void init_plugin(std::string_view name, mitsuba::PluginRegi
   add(std::type_identity<BSDF<float, Color<float, 3>>>());
   add(std::type_identity<BSDF<float, Wavelengths>>());
   add(std::type_identity<BSDF<float, MuellerMatrix<Wavelengths>>>());
-  vgroove::register_llvm_variants(name, register_plugin);
+  vgroove::register_vectorised_variants<JitBackend::LLVM>(name, register_plugin);
+#ifdef VGROOVE_WITH_CUDA
+  vgroove::register_vectorised_variants<JitBackend::CUDA>(name, register_plugin);
+#endif
 }

@@ -22,7 +22,7 @@ def load(build_folder=None):
 
 def start(variant, build_folder=None):
     """Sets a variant and makes the plug-in known; ends the program with status 77, "skipped", where the variant does not
-    start, as vectorised ones without LLVM."""
+    start, as vectorised ones without LLVM or a GPU."""
     try:
         mi.set_variant(variant)
     except ImportError as error:

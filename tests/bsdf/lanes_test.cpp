@@ -138,6 +138,22 @@ struct RoughSurfaceInLanes {
 
 }  // namespace
 
+TEST_CASE("Sines and cosines of arrays of a GPU have the digits of a float through many turns") {
+  Dice dice(21);
+  constexpr double rounding_of_sines = 2e-7;
+  for (const float largest : {1e-3f, 1.6f, 3.2f, 30.f}) {
+    for (int trial = 0; trial < 1000; ++trial) {
+      const Real angle = dice.between(-largest, largest);
+      const Real sine = sin(angle), cosine = cos(angle);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double x = lane(angle, i);
+        CHECK(std::abs(lane(sine, i) - std::sin(x)) < rounding_of_sines * std::min(1.0, std::abs(x)));
+        CHECK(std::abs(lane(cosine, i) - std::cos(x)) < rounding_of_sines);
+      }
+    }
+  }
+}
+
 TEST_CASE("Arrays of a vectorised renderer have the lobes of each of their grooves") {
   Dice dice(1);
   for (int trial = 0; trial < 200; ++trial) {

@@ -163,7 +163,23 @@ Value floor(const Value& a) {
   return each([](float x) { return std::floor(x); }, a);
 }
 
+template <class Value>
+Value round(const Value& a) {
+  return each([](float x) { return std::round(x); }, a);
+}
+/// Derivatives, of which there are none here, end at it.
+template <class Value>
+Value detach(const Value& a) {
+  return a;
+}
+
 template <class Number>
 inline constexpr Number Pi = std::numbers::pi_v<Number>;
+template <class Number>
+inline constexpr Number InvPi = std::numbers::inv_pi_v<Number>;
+
+/// Whether arrays are those of a GPU, for which lanes.hpp does more itself.
+template <class Value>
+inline constexpr bool is_cuda_v = true;
 
 }  // namespace drjit
