@@ -322,6 +322,49 @@ TEST_CASE("the error estimate holds where a little absorption blurs the critical
   }
 }
 
+TEST_CASE(
+    "critical angles blurred over more than bounces are apart take few evaluations, with an honest error") {
+  struct Row {
+    Conductor<double> metal;
+    double aperture_deg;
+    long long most;
+  };
+  // With a cut at each of them they took three to twenty times as many.
+  for (const auto& [metal, aperture_deg, most] : {Row{{0.5, 0.1}, 60, 12'000},
+                                                  {{0.5, 0.1}, 20, 60'000},
+                                                  {{0.5, 0.1}, 1, 160'000},
+                                                  {{0.95, 0.01}, 7, 240'000},
+                                                  {{0.95, 0.01}, 0.7, 180'000},
+                                                  {{0.8, 0.3}, 31, 12'000}}) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    // Of facets that say nothing about themselves critical angles are not known, blurred or not.
+    const auto check = [&](const auto& facet, const auto& silent) {
+      const auto result = bihemispherical_reflectance(cavity, facet, 1e-10);
+      const auto other = bihemispherical_reflectance(cavity, silent, 1e-10);
+      CAPTURE(aperture_deg, metal(1.0), result.value, other.value, result.error, other.error,
+              result.evaluations);
+      CHECK(result.error <= 1e-10);
+      CHECK(other.error <= 1e-10);
+      CHECK(std::abs(result.value - other.value) <= result.error + other.error);
+      CHECK(result.evaluations < most);
+    };
+    check(metal, [&metal](double cosine) { return metal(cosine); });
+    const auto fields = polarized(metal);
+    check(fields, [&fields](const Bounce<double>& bounce) { return fields(bounce); });
+  }
+  // As fields these were known to three digits at best.
+  for (const double aperture_deg : {0.001, 0.007, 0.017}) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    const auto facet = polarized(Conductor<double>(0.7, 0.001));
+    const auto result = bihemispherical_reflectance(cavity, facet, 1e-10);
+    const auto finer = bihemispherical_reflectance(cavity, facet, 1e-12);
+    CAPTURE(aperture_deg, result.value, result.error, result.evaluations);
+    CHECK(result.error <= 1e-10);
+    CHECK(std::abs(result.value - finer.value) <= result.error);
+    CHECK(result.evaluations < 500'000);
+  }
+}
+
 TEST_CASE("colours are integrated together") {
   const Cavity<double> cavity(radians(70.0));
   const glm::dvec3 n(0.2, 0.9, 1.2), k(3.9, 2.5, 2.3);

@@ -36,6 +36,10 @@ class CavityIntegrand {
         max_bounces_(max_bounces),
         singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
                        decay_along(cavity)) {
+    // Blurred over more than bounces are apart, critical angles are nowhere to be cut at: all is smooth across.
+    constexpr double enough_blur = 0.03;  // of α, by trial: fewest evaluations
+    if (singularities_.blur() > enough_blur * static_cast<double>(cavity.aperture()))
+      singularities_.take_as_smooth();
     // Grazing light is spread out in vain where it is reflected totally.
     if (singularities_.total_below() > Real(0)) singularities_.take(AlongVariable::angle);
   }

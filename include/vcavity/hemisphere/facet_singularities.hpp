@@ -8,7 +8,8 @@
 /// for it: towards grazing incidence, near which the reflectance of a metal changes most, and towards
 /// critical angles, where reflectances start like a square root. A little absorption moves that branch point
 /// off the real axis and blurs the critical angle; it then stays close to the end of two pieces, whose series
-/// fall off slowly in the end though they begin as if it were not there.
+/// fall off slowly in the end though they begin as if it were not there. Blurred over more than the angle between
+/// two bounces, it is a singularity like any other.
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,7 @@ class FacetSingularities {
       : variable_(variable),
         decay_(decay),
         critical_(critical_cosine_of<Real>(facet)),
+        is_cut_(critical_ > Real(0)),
         cosines_(singular_cosines_of(facet)) {
     if (is_cut())
       for (const std::complex<double>& cosine : cosines_)
@@ -104,8 +106,14 @@ class FacetSingularities {
   /// Takes another variable along the groove.
   void take(AlongVariable variable) { variable_ = variable; }
 
-  /// Whether there is a critical angle.
-  bool is_cut() const { return critical_ > Real(0); }
+  /// Takes critical angles as no more than singularities off the real axis, from now on.
+  void take_as_smooth() { is_cut_ = false; }
+
+  /// How far from the real axis the angle of incidence of the branch point is: over that a critical angle is blurred.
+  double blur() const { return is_cut() ? std::abs(std::acos(branch_).imag()) : 0; }
+
+  /// Whether there is a critical angle to cut at.
+  bool is_cut() const { return is_cut_; }
 
   /// The critical cosine, 0 if there is none.
   const Real& critical() const { return critical_; }
@@ -233,6 +241,7 @@ class FacetSingularities {
   AlongVariable variable_;
   SeriesDecay decay_;
   Real critical_;
+  bool is_cut_;
   std::vector<std::complex<double>> cosines_;
   std::complex<double> branch_ = 0.0;    // of the square root at the critical angle
   std::complex<double> brewster_ = 0.0;  // the cosine at which r_p = 0
