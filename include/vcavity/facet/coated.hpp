@@ -39,7 +39,6 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -66,9 +65,7 @@ void require_range(const Value& a, const scalar_t<Value>& low, const scalar_t<Va
   using Real = scalar_t<Value>;
   for_each_component(a, [&](const Real& x) {
     if (!(x >= low && x <= high)) {
-      std::ostringstream message;
-      message << name << " must lie in [" << low << ", " << high << "], not be " << x;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument(name, " must lie in [", low, ", ", high, "], not be ", x);
     }
   });
 }
@@ -511,7 +508,7 @@ class Coated {
       films_.push_back(film);
     } else {
       if (count_ == max_films)
-        throw_invalid_argument("more films than there is room for, which is " + std::to_string(max_films));
+        throw_invalid_argument("more films than there is room for, which is ", max_films);
       films_[count_] = film;
     }
     ++count_;

@@ -18,7 +18,6 @@
 #include <complex>
 #include <concepts>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/numbers/compiler.hpp"
@@ -87,9 +86,7 @@ void require_index([[maybe_unused]] const Value& a, [[maybe_unused]] const scala
   if constexpr (Number<Real>) {
     for_each_component(a, [&low, name](const Real& x) {
       if (!(x >= low && x <= largest_index<Real>())) {
-        std::ostringstream message;
-        message << name << " must lie in [" << low << ", " << largest_index<Real>() << "], not be " << x;
-        throw_invalid_argument(message.str());
+        throw_invalid_argument(name, " must lie in [", low, ", ", largest_index<Real>(), "], not be ", x);
       }
     });
   }

@@ -27,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/lit_opening.hpp"
@@ -86,10 +85,8 @@ class AsymmetricGroove {
   /// @throws std::invalid_argument when they make no groove
   static AsymmetricGroove from_slopes(const Real& one, const Real& two) {
     if (!(one > Real(0) && two > Real(0) && one + two < pi<Real>())) {
-      std::ostringstream message;
-      message << "the slopes of a groove must be positive and together below π radians, not " << one
-              << " and " << two;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the slopes of a groove must be positive and together below π radians, not ",
+                             one, " and ", two);
     }
     using std::sin;
     // The sine of π as it is rounded is what it lacks.
@@ -139,9 +136,8 @@ class AsymmetricGroove {
  private:
   static const Real& checked(const Real& aperture, const Real& tilt) {
     if (!(aperture > Real(0) && aperture < pi<Real>())) {
-      std::ostringstream message;
-      message << "the aperture of an asymmetric groove must lie in (0, π) radians, not " << aperture;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the aperture of an asymmetric groove must lie in (0, π) radians, not ",
+                             aperture);
     }
     if (!(magnitude(tilt) < most_tilt(aperture) - rounding())) refuse_tilt(aperture, tilt);
     return aperture;
@@ -152,10 +148,8 @@ class AsymmetricGroove {
   static Real rounding() { return Real(4) * std::numeric_limits<Real>::epsilon(); }
 
   static void refuse_tilt(const Real& aperture, const Real& tilt) {
-    std::ostringstream message;
-    message << "the tilt of a groove of aperture " << aperture << " must be less than " << most_tilt(aperture)
-            << " radians either way, not " << tilt;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tilt of a groove of aperture ", aperture, " must be less than ",
+                           most_tilt(aperture), " radians either way, not ", tilt);
   }
 
   Cavity<Real> bisected_;

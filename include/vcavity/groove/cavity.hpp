@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/groove/multiples.hpp"
@@ -136,20 +135,16 @@ class Cavity {
   static Real checked(const Real& aperture) {
     const Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
     if (!(aperture >= smallest_aperture() && aperture <= pi<Real>() * (Real(1) + rounding))) {
-      std::ostringstream message;
-      message << "the aperture of a groove must lie in [" << smallest_aperture() << ", π] radians, not "
-              << aperture;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the aperture of a groove must lie in [", smallest_aperture(),
+                             ", π] radians, not ", aperture);
     }
     return at_most(aperture, pi<Real>());
   }
 
   static const Rotation& checked(const Rotation& half) {
     if (!(half.sine > smallest_aperture() / Real(2) && half.cosine >= Real(0))) {
-      std::ostringstream message;
-      message << "the facets of a groove must be less steep than vertical, not of a normal (" << half.cosine
-              << " across, " << half.sine << " up)";
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the facets of a groove must be less steep than vertical, not of a normal (",
+                             half.cosine, " across, ", half.sine, " up)");
     }
     return half;
   }

@@ -100,10 +100,15 @@ struct ManyBounces {
   Value throughput;  ///< of all of them
 };
 
-/// Facets of which many bounces can be done at once: functions of the cosine with numbers for values.
+/// Facets of which many bounces can be done at once: functions of the cosine with numbers for values. Not on GPUs, which
+/// have no memory for the rules of sums.
 template <class Facet, class Real>
-concept ManyAtOnce = std::floating_point<Real> && std::floating_point<value_t<Facet, Real>> &&
-                     std::invocable<const Facet&, const Real&>;
+concept ManyAtOnce =
+#if defined(VCAVITY_ON_GPU)
+    false &&
+#endif
+    std::floating_point<Real> && std::floating_point<value_t<Facet, Real>> &&
+    std::invocable<const Facet&, const Real&>;
 
 /// Does many bounces at once, all of which reach every ray of the first panel. Does nothing where that does not pay.
 /// Takes numbers, no ray: the address of one that lives in registers would put it into memory.

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <vector>
 
 #include "vcavity/facet/panel_facets.hpp"
@@ -110,9 +109,8 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
   using Value = unpolarized_t<Facet, Real>;
   using Scalar = scalar_t<Value>;
   if (!(tolerance > Scalar(0))) {
-    std::ostringstream message;
-    message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tolerance of the bi-hemispherical reflectance must be positive, not ",
+                           tolerance);
   }
   long long evaluations = 0;
   const CountedFacet<Facet> counted(facet, evaluations);

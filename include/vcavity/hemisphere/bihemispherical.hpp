@@ -10,8 +10,6 @@
 ///
 /// When not to use it: for a facet reflectance with steps or kinks of its own it still converges, but slowly.
 
-#include <sstream>
-
 #include "vcavity/hemisphere/cavity_integrand.hpp"
 #include "vcavity/hemisphere/hemisphere_quadrature.hpp"
 #include "vcavity/numbers/invalid_argument.hpp"
@@ -33,9 +31,8 @@ Integral<unpolarized_t<Facet, Real>> bihemispherical_reflectance(
     int max_bounces = all_bounces) {
   using Scalar = scalar_t<unpolarized_t<Facet, Real>>;
   if (!(tolerance > Scalar(0))) {
-    std::ostringstream message;
-    message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tolerance of the bi-hemispherical reflectance must be positive, not ",
+                           tolerance);
   }
   detail::CavityIntegrand<Real, Facet> integrand(cavity, facet, max_bounces);
   return detail::HemisphereQuadrature<Real, Facet, detail::CavityIntegrand<Real, Facet>>(

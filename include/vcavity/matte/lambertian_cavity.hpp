@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -44,9 +43,7 @@ void check_albedo(const Value& albedo) {
   for (std::size_t i = 0; i < component_count(albedo); ++i) {
     const auto& rho = component(albedo, i);
     if (rho >= scalar_t<Value>(0) && rho <= scalar_t<Value>(1)) continue;
-    std::ostringstream message;
-    message << "the albedo of a matte panel must lie in [0, 1], not " << rho;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the albedo of a matte panel must lie in [0, 1], not ", rho);
   }
 }
 

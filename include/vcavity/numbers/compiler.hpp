@@ -46,3 +46,8 @@
 #else
 #define VCAVITY_VECTOR(bytes)
 #endif
+
+/// Defined while code for a GPU is compiled. There are no exceptions, and no memory that is filled when it is first used.
+#if defined(__CUDA_ARCH__)
+#define VCAVITY_ON_GPU
+#endif

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include "vcavity/hemisphere/bihemispherical.hpp"
@@ -242,9 +241,7 @@ double rounding_per_bounce(const Facet& facet) {
 /// @throws std::invalid_argument when the tolerance is not a positive number
 inline double share_of(double tolerance, Illumination illumination) {
   if (!(tolerance > 0)) {
-    std::ostringstream message;
-    message << "the tolerance of a plan must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tolerance of a plan must be positive, not ", tolerance);
   }
   return tolerance / (illumination == Illumination::diffuse ? 4 : 3);
 }

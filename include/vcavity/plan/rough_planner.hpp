@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/reflectance.hpp"
@@ -119,9 +118,7 @@ Omissions worst_rough_omissions(const Distribution& distribution, const Facet& f
 template <SlopeDistribution Distribution, FieldReflector<double> Facet>
 EffectsPlan plan_rough_effects(const Distribution& distribution, const Facet& facet, double tolerance) {
   if (!(tolerance > 0)) {
-    std::ostringstream message;
-    message << "the tolerance of a plan must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tolerance of a plan must be positive, not ", tolerance);
   }
   const double share = tolerance / 2;
   const detail::Omissions errors = detail::worst_rough_omissions(distribution, facet);

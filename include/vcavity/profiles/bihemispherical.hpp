@@ -9,7 +9,6 @@
 
 #include <concepts>
 #include <limits>
-#include <sstream>
 #include <type_traits>
 #include <vector>
 
@@ -84,9 +83,8 @@ auto bihemispherical_reflectance(
   using Value = unpolarized_t<detail::any_facet_t<Facets>, Real>;
   using Scalar = scalar_t<Value>;
   if (!(tolerance > Scalar(0))) {
-    std::ostringstream message;
-    message << "the tolerance of the bi-hemispherical reflectance must be positive, not " << tolerance;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the tolerance of the bi-hemispherical reflectance must be positive, not ",
+                           tolerance);
   }
   long long evaluations = 0;
   const auto counted = detail::each_facet(facets, [&](const auto& facet) {

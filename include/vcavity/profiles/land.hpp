@@ -8,7 +8,6 @@
 
 #include <cassert>
 #include <concepts>
-#include <sstream>
 #include <utility>
 
 #include "vcavity/facet/bounce.hpp"
@@ -31,9 +30,7 @@ class Land {
   /// @throws std::invalid_argument when the fraction is out of range or is not a number
   Land(Groove groove, const value_type& fraction) : groove_(std::move(groove)), fraction_(fraction) {
     if (!(fraction >= value_type(0) && fraction < value_type(1))) {
-      std::ostringstream message;
-      message << "the land must take a fraction of the period in [0, 1), not " << fraction;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the land must take a fraction of the period in [0, 1), not ", fraction);
     }
   }
 

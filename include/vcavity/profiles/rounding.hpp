@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -47,10 +46,8 @@ template <class Real>
 Real replaced_part(const Cavity<Real>& cavity, const Real& radius) {
   const Real part = radius * cavity.cos_half() * cavity.inverse_sin_half();
   if (!(radius >= Real(0) && part <= Real(1))) {
-    std::ostringstream message;
-    message << "the radius of a fillet must lie in [0, tan(α/2)] panel widths, here "
-            << cavity.sin_half() / cavity.cos_half() << ", not " << radius;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the radius of a fillet must lie in [0, tan(α/2)] panel widths, here ",
+                           cavity.sin_half() / cavity.cos_half(), ", not ", radius);
   }
   return part;
 }

@@ -16,7 +16,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/facet/bounce.hpp"
@@ -37,9 +36,7 @@ class Trench {
   /// @throws std::invalid_argument when it is out of range or is not a number
   explicit Trench(const Real& floor) : floor_over_depth_(floor) {
     if (!(floor > Real(0) && floor <= std::numeric_limits<Real>::max())) {
-      std::ostringstream message;
-      message << "the floor of a trench must be more than 0 depths wide, not " << floor;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the floor of a trench must be more than 0 depths wide, not ", floor);
     }
   }
 

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/facet/bounce.hpp"
@@ -102,11 +101,7 @@ class TruncatedGroove {
  private:
   static constexpr std::size_t index(Panel panel) { return panel == Panel::one ? 0 : 1; }
 
-  static void refuse(const char* message, const Real& value) {
-    std::ostringstream text;
-    text << message << value;
-    throw_invalid_argument(text.str());
-  }
+  static void refuse(const char* message, const Real& value) { throw_invalid_argument(message, value); }
 
   /// π/2 − slope, with the digits by which π/2 differs from its rounded value, which is the cosine of that.
   static Real from_vertical(const Real& slope) {

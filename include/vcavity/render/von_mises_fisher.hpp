@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/numbers/components.hpp"
@@ -27,9 +26,8 @@ class VonMisesFisher {
   explicit VonMisesFisher(const Real& width) {
     using std::expm1;
     if (!(width >= smallest_width() && width <= Real(10))) {
-      std::ostringstream message;
-      message << "the width of a lobe must lie in [" << smallest_width() << ", 10] radians, not " << width;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the width of a lobe must lie in [", smallest_width(), ", 10] radians, not ",
+                             width);
     }
     kappa_ = Real(1) / (width * width);
     tail_ = -expm1(Real(-2) * kappa_);

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/gauss_legendre.hpp"
@@ -34,9 +33,7 @@ class AxialVonMises {
     using std::log;
     using std::sqrt;
     if (!(concentration >= Real(0) && concentration <= Real(1e6))) {
-      std::ostringstream message;
-      message << "the concentration of the grooves must lie in [0, 1e6], not be " << concentration;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the concentration of the grooves must lie in [0, 1e6], not be ", concentration);
     }
     const auto nodes = gauss_legendre<Real>(rule_size);
     for (std::size_t i = 0; i < rule_size; ++i) rule_[i] = nodes[i];

@@ -16,7 +16,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/compiler.hpp"
@@ -36,10 +35,8 @@ template <class Real>
 void require_roughness([[maybe_unused]] const Real& roughness) {
   if constexpr (Number<Real>) {
     if (!(roughness >= Real(smallest_roughness) && roughness <= Real(largest_roughness))) {
-      std::ostringstream message;
-      message << "a roughness must lie in [" << smallest_roughness << ", " << largest_roughness
-              << "], not be " << roughness;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("a roughness must lie in [", smallest_roughness, ", ", largest_roughness,
+                             "], not be ", roughness);
     }
   }
 }

@@ -3,7 +3,6 @@
 
 /// Two distributions of grooves on one surface, side by side: a polish with a few deep scratches, say.
 
-#include <sstream>
 #include <utility>
 
 #include "vcavity/numbers/components.hpp"
@@ -26,9 +25,7 @@ class MixedSlopes {
   MixedSlopes(First first, Second second, const Real& share)
       : first_(std::move(first)), second_(std::move(second)), share_(share) {
     if (!(share >= Real(0) && share <= Real(1))) {
-      std::ostringstream message;
-      message << "the share of a distribution in a mixture must lie in [0, 1], not be " << share;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the share of a distribution in a mixture must lie in [0, 1], not be ", share);
     }
   }
 

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 
 #include "vcavity/groove/cavity.hpp"
 #include "vcavity/groove/lobes.hpp"
@@ -138,9 +137,7 @@ Quadrature<Value> mean_over_azimuths(const Distribution& distribution, const sca
 template <class Scalar>
 void require_tolerance(const Scalar& tolerance, const char* integral) {
   if (tolerance > Scalar(0)) return;
-  std::ostringstream message;
-  message << "the tolerance of the " << integral << " must be positive, not " << tolerance;
-  throw_invalid_argument(message.str());
+  throw_invalid_argument("the tolerance of the ", integral, " must be positive, not ", tolerance);
 }
 
 /// The apertures at which the reflectance of a groove has a kink, in ascending order; those of more than 16 bounces are

@@ -32,7 +32,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "vcavity/facet/bounce.hpp"
@@ -81,10 +80,8 @@ class RoughGrooveBsdf {
         max_bounces_(max_bounces),
         long_ways_(long_ways) {
     if (max_bounces < 1 || max_bounces > highest_limit) {
-      std::ostringstream message;
-      message << "the bounce limit of a rough surface must lie in [1, " << highest_limit << "], not be "
-              << max_bounces;
-      throw_invalid_argument(message.str());
+      throw_invalid_argument("the bounce limit of a rough surface must lie in [1, ", highest_limit,
+                             "], not be ", max_bounces);
     }
   }
 

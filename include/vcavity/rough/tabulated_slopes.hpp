@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -102,9 +101,7 @@ class TabulatedSlopes {
 
  private:
   [[noreturn]] static void refuse(const char* what, const Real& value, const char* expected) {
-    std::ostringstream message;
-    message << "the " << what << " of a table of slopes must be " << expected << ", not " << value;
-    throw_invalid_argument(message.str());
+    throw_invalid_argument("the ", what, " of a table of slopes must be ", expected, ", not ", value);
   }
 
   std::vector<TabulatedSlope<Real>> rows_;
