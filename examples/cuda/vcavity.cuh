@@ -9,6 +9,11 @@
 ///
 /// When not to use it: with nvcc, which knows no such pragma.
 
+#include <cmath>
+#include <new>
+#include <type_traits>
+#include <utility>
+
 // Its deduction guides count as functions of the processor in Clang 19.
 #pragma clang force_cuda_host_device begin
 #include <array>
@@ -17,7 +22,6 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
@@ -36,16 +40,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
-
-#include <glm/common.hpp>
-#include <glm/detail/qualifier.hpp>
-#include <glm/exponential.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vector_relational.hpp>
 
 #pragma clang force_cuda_host_device begin
 #include <vcavity/vcavity.hpp>
