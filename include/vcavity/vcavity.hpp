@@ -27,6 +27,8 @@
 #include "vcavity/numbers/gauss_legendre.hpp"
 #include "vcavity/numbers/legendre_series.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
+#include "vcavity/numbers/sinh_substitution.hpp"
+#include "vcavity/numbers/substitution.hpp"
 #include "vcavity/numbers/adaptive_quadrature.hpp"
 #include "vcavity/numbers/progression_sum.hpp"
 // What is where, and in which units.

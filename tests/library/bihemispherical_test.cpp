@@ -330,7 +330,7 @@ TEST_CASE(
     long long most;
   };
   // With a cut at each of them they took three to twenty times as many.
-  for (const auto& [metal, aperture_deg, most] : {Row{{0.5, 0.1}, 60, 12'000},
+  for (const auto& [metal, aperture_deg, most] : {Row{{0.5, 0.1}, 60, 15'000},
                                                   {{0.5, 0.1}, 20, 60'000},
                                                   {{0.5, 0.1}, 1, 160'000},
                                                   {{0.95, 0.01}, 7, 240'000},
@@ -649,9 +649,9 @@ TEST_CASE("narrow grooves of n < 1 come down to light that is never refracted, w
     CHECK(result.evaluations < 21'000'000);
   };
   check(Dielectric<double>(0.7), 0.7, 0.3, 1e-10);
-  check(Dielectric<double>(0.7), 0.7, 0.05, 1e-5);
+  check(Dielectric<double>(0.7), 0.7, 0.05, 4e-5);
   check(Dielectric<double>(0.7), 0.7, 0.017, 1e-4);
-  check(Dielectric<double>(0.7), 0.7, 0.001, 1e-5);
+  check(Dielectric<double>(0.7), 0.7, 0.001, 4e-5);
   check(polarized(Dielectric<double>(0.987667)), 0.987667, 0.001, 1e-4);
 }
 
@@ -663,6 +663,32 @@ TEST_CASE("many critical angles, blurred by a little absorption, end with an hon
   CHECK(coarse.error <= 1e-4);
   CHECK(fine.error <= 1e-5);
   CHECK(std::abs(coarse.value - fine.value) <= coarse.error + fine.error);
+}
+
+TEST_CASE("a little absorption next to many critical angles is known to ten digits, or to a few") {
+  const Conductor<double> metal(0.05, 0.0001), other(0.7, 0.001);
+  const auto check = [](const auto& facet, double aperture_deg, double tolerance, long long most) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    const auto result = bihemispherical_reflectance(cavity, facet, tolerance);
+    const auto coarse = bihemispherical_reflectance(cavity, facet, 30 * tolerance);
+    CAPTURE(aperture_deg, result.value, result.error, result.evaluations);
+    CHECK(result.error <= tolerance);
+    CHECK(std::abs(result.value - coarse.value) <= result.error + coarse.error);
+    CHECK(result.evaluations < most);
+  };
+  // Nodes drawn to the ends of pieces took four to ten times as many.
+  check(metal, 45, 1e-10, 300'000);
+  check(metal, 90, 1e-10, 200'000);
+  check(other, 60, 1e-10, 300'000);
+  check(other, 120, 1e-10, 60'000);
+  check(polarized(metal), 10, 1e-10, 3'000'000);
+  // Of these nothing was known.
+  for (const double aperture_deg : {0.3, 1.0}) {
+    const auto result = bihemispherical_reflectance(Cavity<double>(radians(aperture_deg)), metal, 1e-10);
+    CAPTURE(aperture_deg, result.value, result.error);
+    CHECK(result.error <= 1e-4);
+    CHECK(result.evaluations < 21'000'000);
+  }
 }
 
 TEST_CASE("an error is never above the trivial bound, and the limit of evaluations holds") {

@@ -37,7 +37,7 @@ class CavityIntegrand {
         singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
                        decay_along(cavity)) {
     // Blurred over more than bounces are apart, critical angles are nowhere to be cut at: all is smooth across.
-    constexpr double enough_blur = 0.03;  // of α, by trial: fewest evaluations
+    constexpr double enough_blur = 0.125;  // of α, by trial: fewest evaluations
     if (singularities_.blur() > enough_blur * static_cast<double>(cavity.aperture()))
       singularities_.take_as_smooth();
     // Grazing light is spread out in vain where it is reflected totally.
@@ -76,15 +76,25 @@ class CavityIntegrand {
     return cavity_->max_bounces() > many_bounces ? 0.5 : 0.8;
   }
 
+  /// The highest first order across. What is singular there next to critical angles is weak after integration along the groove.
+  std::size_t start_across() const {
+    constexpr std::size_t usual = 24, for_few_digits = 12;
+    if (is_rough_) return for_few_digits;
+    return is_cut() ? usual : max_series_order;
+  }
+
   /// The highest first order along the groove. Between critical angles there is often so little light that a low one will
   /// do, next to whatever singularities.
   std::size_t start_along() const {
     constexpr std::size_t usual = 12;
-    return singularities_.total_below() > Real(0) ? usual : max_series_order;
+    return is_rough_ || singularities_.total_below() > Real(0) ? usual : max_series_order;
   }
 
-  /// Cuts the range along the groove at no more places than this, for a result of few digits.
-  void take_cuts(std::size_t most) { most_cuts_ = most; }
+  /// Cuts the range along the groove at no more places than this and begins with low orders, for a result of few digits.
+  void take_cuts(std::size_t most) {
+    most_cuts_ = most;
+    is_rough_ = true;
+  }
 
   /// The width of the range of u.
   Real width() const { return cavity_->aperture() / Real(2); }
@@ -231,11 +241,14 @@ class CavityIntegrand {
     /// The pieces of the range of the variable along the groove.
     std::vector<QuadraturePiece<Real>> pieces() const {
       std::vector<Real> ends{Real(0)};
-      const bool is_split =
-          cuts_.empty() && integrand_->singularities_.variable() == AlongVariable::logarithmic;
+      const bool is_logarithmic = integrand_->singularities_.variable() == AlongVariable::logarithmic;
+      const bool is_split = cuts_.empty() && is_logarithmic;
       if (is_split)
         for (const int part : {8, 4, 2}) ends.push_back(end() / Real(part));
-      for (const auto& angle : cuts_) ends.push_back(angle.at);
+      else if (integrand_->singularities_.is_sharp())
+        for (const auto& angle : cuts_) ends.push_back(angle.at);
+      else
+        add_ends_around_cuts(ends, is_logarithmic);
       ends.push_back(end());
       std::vector<QuadraturePiece<Real>> pieces;
       for (std::size_t i = 0; i + 1 < ends.size(); ++i)
@@ -280,6 +293,21 @@ class CavityIntegrand {
     static Real overlap(const Part& part, const Real& u) {
       using std::sin;
       return part.rays == RaysAcross::single ? Real(sin(part.width - u)) : Real(1);
+    }
+
+    /// Blurred critical angles lie within pieces, each in the middle of its own: there is a variable in which it is smooth on
+    /// either side (sinh_substitution.hpp).
+    void add_ends_around_cuts(std::vector<Real>& ends, bool is_logarithmic) const {
+      Real last(0);
+      for (const auto& angle : cuts_) {
+        ends.push_back((last + angle.at) / Real(2));
+        last = angle.at;
+      }
+      const Real beyond = last + (last - ends.back());
+      if (!cuts_.empty() && beyond < end()) ends.push_back(beyond);
+      // Towards grazing light there is more to see.
+      const Real grazing = end() / Real(2);
+      if (is_logarithmic && ends.back() < grazing) ends.push_back(grazing);
     }
 
     Real least_cosine() const {
@@ -436,7 +464,7 @@ class CavityIntegrand {
   int max_bounces_;
   FacetSingularities<Real> singularities_;
   Real left_uncut_{0};
-  bool critical_is_lit_ = false;
+  bool critical_is_lit_ = false, is_rough_ = false;
   std::size_t most_cuts_ = std::numeric_limits<std::size_t>::max() / 2;
 };
 

@@ -7,9 +7,9 @@
 /// In both angles the variable of integration draws nodes to the ends of the range as far as the facet asks
 /// for it: towards grazing incidence, near which the reflectance of a metal changes most, and towards
 /// critical angles, where reflectances start like a square root. A little absorption moves that branch point
-/// off the real axis and blurs the critical angle; it then stays close to the end of two pieces, whose series
-/// fall off slowly in the end though they begin as if it were not there. Blurred over more than the angle between
-/// two bounces, it is a singularity like any other.
+/// off the real axis and blurs the critical angle; nodes are then drawn to it in a variable in which it is smooth on
+/// either side (sinh_substitution.hpp), and what stays close to the range are those of other bounces. Blurred over more
+/// than the angle between two bounces, it is a singularity like any other.
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,7 @@
 #include "vcavity/numbers/adaptive_quadrature.hpp"
 #include "vcavity/numbers/elementary.hpp"
 #include "vcavity/numbers/sine_substitution.hpp"
+#include "vcavity/numbers/sinh_substitution.hpp"
 
 namespace vcavity::detail {
 
@@ -159,6 +160,7 @@ class FacetSingularities {
     // Sums over ever more bounces converge as long as light loses by a bounce, Re cos ψ > 0.
     if (logarithmic) add({middle, std::numbers::pi / 2});
     bool ends_at_branch = false;
+    std::vector<Blurred> blurred;
     double beyond = std::numeric_limits<double>::infinity();
     const auto near = [&](const Real& end) {
       const std::ptrdiff_t neighbours = is_sharp() ? 2 : 3;
@@ -172,6 +174,8 @@ class FacetSingularities {
         const bool ends_low = std::abs(at - double_of(low)) < coincident * half;
         const bool ends_high = std::abs(at - double_of(high)) < coincident * half;
         if (!ends_low && !ends_high) {
+          const std::complex<double> brewster = along_of_cosine(variable_, brewster_ / angle->cos_across);
+          if (!is_sharp()) blurred.push_back({(at - middle) / half, (brewster - middle) / half});
           add(at);
           continue;
         }
@@ -192,6 +196,7 @@ class FacetSingularities {
     piece.variable = best.variable;
     piece.decay = decay_;
     piece.decay.rate = std::min(best.rate, beyond);
+    if (!even) draw_to_blurred(piece, singularities, blurred);
     return piece;
   }
 
@@ -207,6 +212,7 @@ class FacetSingularities {
     const double middle = 0.5 * (start + double_of(high));
     const double half = 0.5 * (double_of(high) - start);
     std::vector<std::complex<double>> singularities;
+    std::vector<Blurred> blurred;
     for (const std::complex<double>& cosine : cosines_) {
       const bool is_branch = is_cut() && std::abs(cosine) == std::abs(branch_);
       if (!lit && is_branch) continue;
@@ -218,6 +224,9 @@ class FacetSingularities {
           if (is_branch && (std::abs(angle - start) < coincident * half ||
                             std::abs(angle - double_of(high)) < coincident * half))
             angle = 2.0 * angle - (side * std::acos(brewster_) - bounce);  // as in `along`
+          else if (is_branch && !is_sharp())
+            blurred.push_back(
+                {(angle - middle) / half, (side * std::acos(brewster_) - bounce - middle) / half});
           singularities.push_back((angle - middle) / half);
         }
     }
@@ -226,6 +235,7 @@ class FacetSingularities {
         is_cut() ? convergence_in(SineSubstitution(1), singularities) : best_variable(singularities);
     piece.variable = best.variable;
     piece.decay = {best.rate, 2, is_cut() ? 0.4 : 1};
+    if (symmetry == Symmetry::none) draw_to_blurred(piece, singularities, blurred);
     return piece;
   }
 
@@ -236,6 +246,28 @@ class FacetSingularities {
   const std::vector<std::complex<double>>& cosines() const { return cosines_; }
 
  private:
+  /// A branch point next to the range, and the Brewster angle of that bounce.
+  struct Blurred {
+    std::complex<double> branch, brewster;
+  };
+
+  /// Takes the variable in which one of the blurred critical angles is smooth, if that is the best of all.
+  static void draw_to_blurred(QuadraturePiece<Real>& piece,
+                              const std::vector<std::complex<double>>& singularities,
+                              const std::vector<Blurred>& blurred) {
+    for (const Blurred& own : blurred) {
+      if (own.branch.imag() == 0.0) continue;
+      const SinhSubstitution variable(own.branch.real(), std::abs(own.branch.imag()));
+      double nearest = half_axis(variable.inverse_on_other_sheet(own.brewster));
+      for (const std::complex<double>& other : singularities)
+        if (other != own.branch) nearest = std::min(nearest, half_axis(variable.inverse(other)));
+      const double rate = convergence_rate(nearest);
+      if (!(rate > piece.decay.rate)) continue;
+      piece.variable = variable;
+      piece.decay.rate = rate;
+    }
+  }
+
   static double double_of(const Real& x) { return static_cast<double>(x); }
 
   AlongVariable variable_;

@@ -48,15 +48,12 @@ class HemisphereQuadrature {
   Integral<Value> operator()(double tolerance) {
     Integral<Value> best = attempt(tolerance, max_evaluations / 5 * 2);
     if (!is_exhausted()) return best;
-    constexpr std::size_t few_cuts = 8;
-    struct Looser {
-      double tolerance;
-      long long limit;
-    };
+    constexpr std::size_t few_cuts = 16;
     integrand_.take_cuts(few_cuts);
-    for (const Looser& next : {Looser{1e-2, max_evaluations / 5 * 3}, Looser{1e-4, max_evaluations}}) {
-      const Integral<Value> looser = attempt(std::max(next.tolerance, tolerance), next.limit);
+    for (const double looser_tolerance : {1e-2, 1e-4}) {
+      const Integral<Value> looser = attempt(std::max(looser_tolerance, tolerance), max_evaluations);
       if (looser.error < best.error) best = looser;
+      if (is_exhausted()) break;
     }
     best.evaluations = evaluations_;
     return best;
@@ -137,7 +134,7 @@ class HemisphereQuadrature {
     }
     return integrate_adaptively<Real, Value>(
         part.pieces, tolerance,
-        {1, min_series_order, 40, integrand_.believed_across(), max_series_order, margin_across},
+        {1, min_series_order, 40, integrand_.believed_across(), integrand_.start_across(), margin_across},
         [&](const auto& piece, const auto& rule) { return across(part, piece, rule); },
         [&](const Piece& piece) { return integrand_.halves_across(piece); }, [&] { return is_exhausted(); });
   }
@@ -235,7 +232,7 @@ class HemisphereQuadrature {
 
     bool are_of(const Piece& other) const {
       return piece.order == other.order && piece.low == other.low && piece.high == other.high &&
-             piece.symmetry == other.symmetry && piece.variable.draw() == other.variable.draw();
+             piece.symmetry == other.symmetry && piece.variable == other.variable;
     }
   };
 

@@ -19,7 +19,7 @@
 
 #include "vcavity/numbers/legendre_series.hpp"
 #include "vcavity/numbers/number.hpp"
-#include "vcavity/numbers/sine_substitution.hpp"
+#include "vcavity/numbers/substitution.hpp"
 
 namespace vcavity {
 
@@ -28,7 +28,7 @@ template <class Real>
 struct QuadraturePiece {
   Real low, high;                      ///< its ends
   Symmetry symmetry = Symmetry::none;  ///< even: the integrand is even about `low`
-  SineSubstitution variable{};         ///< the variable of integration
+  Substitution variable{};             ///< the variable of integration
   SeriesDecay decay{};                 ///< of the Legendre series in that variable
   std::size_t order = 0;               ///< the first order to try; 0 for the one that the decay asks for
 };
@@ -194,6 +194,15 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
     result.error += work.error;
     result.noise += work.estimate.noise;
     pieces.push_back(work.piece);
+    // A piece that came out far better than it has to begins with fewer nodes next time.
+    const double ample = 0.01 * tolerance / static_cast<double>(heap.size());
+    if (work.error < ample && work.fall > 0) {
+      constexpr double most = 1e-3;
+      const double spare = std::log(ample / std::max(work.error, most * ample)) / work.fall;
+      const auto fewer = orders.step * static_cast<std::size_t>(spare / static_cast<double>(orders.step));
+      const std::size_t least = work.piece.symmetry == Symmetry::even ? orders.min_even() : orders.min;
+      pieces.back().order = std::max(work.piece.order - std::min(fewer, work.piece.order), least);
+    }
   }
   return result;
 }

@@ -36,9 +36,6 @@ class SineSubstitution {
   explicit SineSubstitution(double draw = 0)
       : draw_(draw), end_(draw > 0 ? std::sin(draw * quarter_turn()) : 1) {}
 
-  /// κ
-  double draw() const { return draw_; }
-
   /// The value x and its derivative dx/du.
   /// @param u in [−1, 1], a number or a pack of them
   template <class Reals>
@@ -62,6 +59,8 @@ class SineSubstitution {
     const double beyond = magnitude > 1 ? std::acosh(magnitude) : 0;
     return {std::copysign(std::asin(std::min(magnitude, 1.0)), sine.real()) / factor, beyond / factor};
   }
+
+  friend bool operator==(const SineSubstitution&, const SineSubstitution&) = default;
 
  private:
   static double quarter_turn() { return std::asin(1.0); }
