@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Puts the faults of scripts/mutants.txt into the code, one at a time, and prints which of them the tests notice. Slow:
-# each needs a build. Usage: scripts/mutate.sh [BUILD-FOLDER] [NAME...]; the folder is configured if it is not yet there
-# (default build/mutate), names pick some of the mutants. Exit status 1 if one survives or does not apply any more.
+# Puts the faults of scripts/mutants.txt into the code, one at a time, and prints which of them the tests notice. Each
+# needs a build of one file of tests: half an hour for all of them. Usage: scripts/mutate.sh [BUILD-FOLDER] [NAME...]; the
+# folder is made if it is not yet there (default build/mutate), names pick some of the mutants. Exit status 1 if one
+# survives or does not apply any more.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${1:-$root/build/mutate}
@@ -22,9 +23,10 @@ trap 'exit 130' INT TERM
 trim() { sed 's/^ *//; s/ *$//' <<<"$1"; }
 
 killed=0 survived=0 stale=0
-while IFS='|' read -r name file expression target tests; do
+while IFS='|' read -r name file expression place tests; do
   name=$(trim "$name") file=$(trim "$file") expression=$(trim "$expression")
-  target=$(trim "$target") tests=$(trim "$tests")
+  place=$(trim "$place") tests=$(trim "$tests")
+  target=${place%/*}
   case $name in '' | \#*) continue ;; esac
   if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
   mutated=$root/$file
@@ -33,9 +35,13 @@ while IFS='|' read -r name file expression target tests; do
   sed -i "$expression" "$mutated"
   if cmp -s "$copy" "$mutated"; then
     verdict="does not apply" stale=$((stale + 1))
-  elif ! cmake --build "$build" --target "$target" >"$build/mutant.log" 2>&1; then
+  elif ! { cmake "$build" -DVCAVITY_TEST_FILES="${place#*/}" >/dev/null &&
+           cmake --build "$build" --target "$target"; } >"$build/mutant.log" 2>&1; then
     verdict="killed (does not compile)" killed=$((killed + 1))
-  elif "$(find "$build/tests" -type f -name "$target" -perm -u+x | head -n 1)" "$tests" >>"$build/mutant.log" 2>&1; then
+  elif program=$(find "$build/tests" -type f -name "$target" -perm -u+x | head -n 1)
+       "$program" --list-tests "$tests" | grep -q '^0 matching'; then
+    verdict="has no such test" stale=$((stale + 1))
+  elif "$program" "$tests" >>"$build/mutant.log" 2>&1; then
     verdict=SURVIVED survived=$((survived + 1))
   else
     verdict=killed killed=$((killed + 1))

@@ -41,7 +41,13 @@ TEST_CASE(
     "next to the mirror direction, where the BRDF is infinite, it has the error of rounded directions") {
   const std::string from = "direction " + rough_metal + "--theta 30 --phi 90 --toward ";
   CHECK_FALSE(result_of(from + "30,-89").contains("error_estimate"));
-  CHECK(result_of(from + "30,-90")["error_estimate"].is_null());
+  const json mirror = result_of(from + "30,-90");
+  CHECK(mirror["error_estimate"].is_null());
+  CHECK(mirror["brdf"].is_null());
+  CHECK(mirror["brdf_cos"].is_null());
+  CHECK(mirror["by_bounces"]["1"].get<double>() ==
+        Approx(result_of(from + "30,-89.999")["by_bounces"]["1"].get<double>()).epsilon(1e-4));
+  CHECK(result_of(from + "30,-90 --polarization full")["mueller"][0][0].is_null());
   // Both are this close to the mirror direction, one on either side of it.
   const json left = result_of(from + "30,-89.9999999"), right = result_of(from + "30,-90.0000001");
   const double error = left["error_estimate"].get<double>();

@@ -93,8 +93,12 @@ class RoughSurface final : public Surface {
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
     const Vec3<double> o = off_horizon(toward);
     const typename Bsdf::Value value = bsdf_.evaluate(e, o, Transport::importance);
-    const Reflected brdf = reflected(typename Bsdf::Value((1 / o.z) * value));
-    return SurfaceBrdf{brdf, max_bounces_ > 1 ? error_near_mirror(e, o, brdf.unpolarized) : 0};
+    Reflected brdf = reflected(typename Bsdf::Value((1 / o.z) * value));
+    if (max_bounces_ == 1 || !(brdf.unpolarized > 0)) return SurfaceBrdf{brdf, 0};
+    if (!is_mirror_direction(e, o)) return SurfaceBrdf{brdf, error_near_mirror(e, o, brdf.unpolarized)};
+    brdf.unpolarized = infinity;
+    if (brdf.mueller) brdf.mueller = std::numeric_limits<double>::quiet_NaN() * *brdf.mueller;
+    return SurfaceBrdf{brdf, infinity};
   }
 
   std::map<int, double> by_bounces(const Vec3<double>& e) const override {
@@ -112,6 +116,9 @@ class RoughSurface final : public Surface {
     bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
       if (bounces <= listed_parts) result[bounces] += unpolarized(part) / o.z;
     });
+    if (is_mirror_direction(e, o))
+      for (auto& [bounces, part] : result)
+        if (bounces > 1 && part > 0) part = infinity;
     return result;
   }
 
@@ -124,15 +131,27 @@ class RoughSurface final : public Surface {
   static constexpr int listed_bounces = 31;  // of the albedo, an integral for each
   static constexpr int listed_parts = 256;   // of a BRDF, of which few exist
 
-  /// The error of the BRDF where the viewer is so close to the mirror direction that rounding of the two directions
-  /// counts: light of two and more bounces grows like 1/|h| there, h the horizontal part of their sum, and in the mirror
-  /// direction itself it is infinite.
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Rounding of directions, relative to their length.
+  static constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+
+  /// The horizontal part of the sum of two directions, h.
+  static double tilt(const Vec3<double>& e, const Vec3<double>& o) {
+    return std::hypot(e.x + o.x, e.y + o.y);
+  }
+
+  /// Whether the viewer is in the mirror direction, as far as rounding lets one tell: light of two and more bounces grows
+  /// like 1/|h| towards it, where its BRDF is infinite.
+  static bool is_mirror_direction(const Vec3<double>& e, const Vec3<double>& o) {
+    return !(tilt(e, o) > rounding);
+  }
+
+  /// The error of the BRDF where the viewer is so close to the mirror direction that rounding of the two counts.
   static double error_near_mirror(const Vec3<double>& e, const Vec3<double>& o, double brdf) {
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     constexpr double matters = 1e-10;
-    const double tilt = std::hypot(e.x + o.x, e.y + o.y);
-    if (!(tilt > rounding)) return std::numeric_limits<double>::infinity();
-    return rounding / tilt > matters ? brdf * rounding / tilt : 0;
+    const double relative = rounding / tilt(e, o);
+    return relative > matters ? brdf * relative : 0;
   }
 
   /// At grazing angles the BRDF has a limit, which a small height comes close to.
