@@ -40,7 +40,7 @@ class RationalFacet {
   using Real = scalar_t<Value>;
 
   /// Of the polynomial; enough for metals that what is left is rounding.
-  static constexpr std::size_t degree = std::is_same_v<Real, float> ? 8 : 12;
+  static constexpr std::size_t degree = std::is_same_v<Real, float> ? 7 : 12;
 
   /// @param facet an interface, whose values have as many components; best in double
   template <ContrastingFacet Facet>
@@ -140,8 +140,9 @@ class RationalFacet {
   static Polynomial interpolation(const Function& function) {
     Polynomial nodes, differences;
     for (std::size_t k = 0; k <= degree; ++k) {
-      // Every fourth node first: so the products of Newton's form stay of one size.
-      const double place = static_cast<double>(4 * k % (degree + 1)) + 0.5;
+      // Every third node first: so the products of Newton's form stay of one size.
+      static_assert((degree + 1) % 3 != 0, "each node once");
+      const double place = static_cast<double>(3 * k % (degree + 1)) + 0.5;
       nodes[k] = 0.5 - 0.5 * std::cos(pi<double>() * place / static_cast<double>(degree + 1));
       differences[k] = function(nodes[k]);
     }

@@ -173,6 +173,13 @@ class Pack {
     return result;
   }
 
+  /// The same components in another order: component i of the result is component `order[i]`.
+  template <std::array<std::size_t, size> order>
+    requires(size % width == 0)
+  VCAVITY_INLINE Pack rearranged() const {
+    return rearranged<order>(std::make_index_sequence<registers>());
+  }
+
   /// The `size` components that start at an address.
   VCAVITY_INLINE static Pack load(const Real* components) {
     Pack result(components[size - 1]);
@@ -258,6 +265,20 @@ class Pack {
   }
 
  private:
+  template <std::array<std::size_t, size> order, std::size_t... i>
+  VCAVITY_INLINE Pack rearranged(std::index_sequence<i...>) const {
+    Pack result;
+    ((result.registers_[i] = rearranged_register<order, i>(std::make_index_sequence<width>())), ...);
+    return result;
+  }
+  template <std::array<std::size_t, size> order, std::size_t i, std::size_t... lane>
+  VCAVITY_INLINE Register rearranged_register(std::index_sequence<lane...>) const {
+    if constexpr (width == 1) {
+      return registers_[order[i]];
+    } else {
+      return Register{registers_[order[i * width + lane] / width][order[i * width + lane] % width]...};
+    }
+  }
   // Without a loop, compilers see the one instruction that this is.
   template <std::size_t... lane>
   VCAVITY_INLINE static Register root(const Register& x, std::index_sequence<lane...>) {

@@ -5,16 +5,18 @@
 ///
 /// Bounce i has the angle of incidence k − (i − ½)α in the plane across the groove, k being the elevation of the light
 /// above the panel that is met first: its cosine, times cos η, is that of the facet. So no bounce needs the one before
-/// it. Ways of few bounces go side by side, one bounce of all of them after the other, whether there is such a way or
-/// not; ways of many bounces one after the other, eight bounces of one side by side. In both cases the facet is asked
-/// for eight directions at once, one component (colour) of its values after the other.
+/// it. Ways of up to eight bounces go side by side, one bounce of all ways of a batch after the other, whether there is
+/// such a way or not; ways of more bounces one after the other, eight bounces of one side by side. In both cases the
+/// facet is asked for eight directions at once, one component (colour) of its values after the other.
 ///
 /// When not to use it: for facets that do not have `over_directions<n>(component)`, such as polarised ones, whose
 /// values are no packs of numbers; `RoughGrooveBsdf` follows these bounce by bounce.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/numbers/acute_angles.hpp"
@@ -64,48 +66,123 @@ VCAVITY_INLINE Value value_of(const Components& components) {
 
 }  // namespace detail
 
-/// Adds the light of the first batch, of one to four bounces.
-/// @param sum what it is added to
+/// The directions at the bounces of a batch of ways, bounce by bounce, whether there is such a way or not.
+/// @tparam least number of bounces of the first pair of lanes
+template <class Real, int least>
+class BounceRows {
+ public:
+  using Batch = GrooveBatch<Real>;
+  using Lanes = typename Batch::Lanes;
+  static constexpr std::size_t lanes = Batch::capacity;
+
+  /// @param to_light the direction towards the light in the frame of the grooves
+  /// @param batch the grooves
+  VCAVITY_INLINE BounceRows(const Vec3<Real>& to_light, const Batch& batch) {
+    const Lanes over_panel = to_light.y * Batch::sides();
+    rows_[0] = {to_light.z * batch.sin_half + batch.cos_half * over_panel,
+                to_light.z * batch.cos_half - batch.sin_half * over_panel};
+    turn_from<1>(batch.sin_half, batch.cos_half);
+    // The first bounces are those of every way; of the last three, each has two ways less. Where a way has none of
+    // these, there is room for the very last.
+    beyond_ = select(has(1), rows_[least].normal, rows_[least + 2].normal.template rearranged<from_end>());
+  }
+
+  /// The light that is left of each way.
+  /// @param facet facet reflectance for the lanes
+  /// @param white what goes each way for facets that reflect all light
+  template <class Facet>
+  VCAVITY_INLINE Lanes left_of(const Facet& facet, const Lanes& white) const {
+    return left_of(facet, white, std::make_index_sequence<least>());
+  }
+
+ private:
+  /// A direction in components along the normal of an image and along its panel.
+  struct Direction {
+    Lanes normal, tangent;
+  };
+
+  static constexpr std::size_t bounces = least + 3;
+  static constexpr std::array<std::size_t, lanes> from_end{6, 7, 0, 1, 2, 3, 4, 5},
+      to_end{2, 3, 4, 5, 6, 7, 0, 1};
+
+  /// Turns the directions that are known by as many apertures, from image to image.
+  template <std::size_t known>
+  VCAVITY_INLINE void turn_from(const Lanes& half_sine, const Lanes& half_cosine) {
+    if constexpr (known < bounces) {
+      const Lanes sine = Real(2) * half_sine * half_cosine;
+      const Lanes cosine = Lanes(Real(1)) - Real(2) * half_sine * half_sine;
+      turn<known>(sine, cosine, std::make_index_sequence<std::min(known, bounces - known)>());
+      turn_from<2 * known>(sine, cosine);
+    }
+  }
+  // Without loops, compilers keep rows in registers.
+  template <std::size_t known, std::size_t... i>
+  VCAVITY_INLINE void turn(const Lanes& sine, const Lanes& cosine, std::index_sequence<i...>) {
+    ((rows_[known + i] = {cosine * rows_[i].normal + sine * rows_[i].tangent,
+                          cosine * rows_[i].tangent - sine * rows_[i].normal}),
+     ...);
+  }
+
+  template <class Facet, std::size_t... i>
+  VCAVITY_INLINE Lanes left_of(const Facet& facet, const Lanes& white, std::index_sequence<i...>) const {
+    const Lanes one(Real(1)), beyond = facet(beyond_);
+    const Lanes last = select(has(3), white * beyond.template rearranged<to_end>(), white) *
+                       select(has(2), facet(rows_[least + 1].normal), one);
+    return (last * ... * facet(rows_[i].normal)) * select(has(1), beyond, one);
+  }
+
+  /// Where ways have so many bounces beyond the first ones.
+  VCAVITY_INLINE static auto has(int further) { return Batch::lane_numbers() >= Real(2 * further); }
+
+  std::array<Direction, bounces> rows_;
+  Lanes beyond_;
+};
+
+/// Light that goes through several grooves, lane by lane.
+/// @tparam components of the light
+template <class Real, std::size_t components>
+struct LightInLanes {
+  using Lanes = typename GrooveBatch<Real>::Lanes;
+
+  std::array<Lanes, components> light;  ///< each component
+  Lanes white;                          ///< the same for facets that reflect all light
+
+  VCAVITY_INLINE friend LightInLanes operator+(const LightInLanes& a, const LightInLanes& b) {
+    LightInLanes sum;
+    for (std::size_t c = 0; c < components; ++c) sum.light[c] = a.light[c] + b.light[c];
+    sum.white = a.white + b.white;
+    return sum;
+  }
+
+  /// All of it.
+  template <class Value>
+  VCAVITY_INLINE BsdfEvaluation<Real, Value> sum() const {
+    std::array<Lanes, components + 1> all;
+    for (std::size_t c = 0; c < components; ++c) all[c] = light[c];
+    all[components] = white;
+    const auto sums = detail::combined_lanes(detail::plus, all);
+    return {detail::value_of<Value>(sums), sums[components]};
+  }
+};
+
+/// The light of a batch of ways of few bounces.
+/// @tparam least number of bounces of the first pair of lanes
 /// @param facet facet reflectance
 /// @param to_light the direction towards the light in the frame of the grooves
 /// @param batch the grooves
 /// @param white what goes through each for facets that reflect all light
-template <class Real, ComponentsOverDirections<Real> Facet>
-VCAVITY_INLINE void add_short_ways(BsdfEvaluation<Real, value_t<Facet, Real>>& sum, const Facet& facet,
-                                   const Vec3<Real>& to_light, const GrooveBatch<Real>& batch,
-                                   const typename GrooveBatch<Real>::Lanes& white) {
-  using Lanes = typename GrooveBatch<Real>::Lanes;
-  constexpr std::size_t lanes = GrooveBatch<Real>::capacity;
-  constexpr std::size_t most_bounces = GrooveBatch<Real>::bounce_counts;
+template <int least, class Real, ComponentsOverDirections<Real> Facet>
+VCAVITY_INLINE auto light_of_short_ways(const Facet& facet, const Vec3<Real>& to_light,
+                                        const GrooveBatch<Real>& batch,
+                                        const typename GrooveBatch<Real>::Lanes& white) {
+  using Rows = BounceRows<Real, least>;
   constexpr std::size_t components = number_count<value_t<Facet, Real>>;
-  using AllBounces = Pack<Real, most_bounces * lanes>;
-
-  // The direction in components along the normal of the image and along the panel, turned from image to image.
-  const Lanes over_panel = to_light.y * GrooveBatch<Real>::sides();
-  const Lanes normal = to_light.z * batch.sin_half + batch.cos_half * over_panel;
-  const Lanes tangent = to_light.z * batch.cos_half - batch.sin_half * over_panel;
-  const Lanes sine = Real(2) * batch.sin_half * batch.cos_half;
-  const Lanes cosine = Lanes(Real(1)) - Real(2) * batch.sin_half * batch.sin_half;
-  const Lanes twice_sine = Real(2) * sine * cosine;
-  const Lanes twice_cosine = Lanes(Real(1)) - Real(2) * sine * sine;
-  const Lanes second_normal = cosine * normal + sine * tangent;
-  const Lanes second_tangent = cosine * tangent - sine * normal;
-  const AllBounces incidence(std::array{normal, second_normal, twice_cosine * normal + twice_sine * tangent,
-                                        twice_cosine * second_normal + twice_sine * second_tangent});
-  std::array<Lanes, components + 1> light;
-  for (std::size_t c = 0; c < components; ++c) {
-    const AllBounces reflectance = facet.template over_directions<most_bounces * lanes>(c)(incidence);
-    light[c] = reflectance.template slice<lanes>(0);
-    for (std::size_t i = 1; i < most_bounces; ++i) {
-      const auto exists = GrooveBatch<Real>::lane_numbers() >= Real(static_cast<int>(2 * i));
-      light[c] = select(exists, light[c] * reflectance.template slice<lanes>(i), light[c]);
-    }
-    light[c] = light[c] * white;
-  }
-  light[components] = white;
-  const auto sums = detail::combined_lanes(detail::plus, light);
-  sum.value = sum.value + detail::value_of<value_t<Facet, Real>>(sums);
-  sum.pdf += sums[components];
+  const Rows rows(to_light, batch);
+  LightInLanes<Real, components> result;
+  for (std::size_t c = 0; c < components; ++c)
+    result.light[c] = rows.left_of(facet.template over_directions<Rows::lanes>(c), white);
+  result.white = white;
+  return result;
 }
 
 /// Adds the light of a batch, two ways at a time.

@@ -37,9 +37,25 @@
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/number.hpp"
+#include "vcavity/numbers/pack.hpp"
 #include "vcavity/rough/way_series.hpp"
 
 namespace vcavity {
+
+namespace detail {
+
+/// Numbers of e and of o, side by side; twice where registers are that wide.
+template <class Real>
+using PairOf = Pack<Real, has_short_series<Real> ? 4 : 2>;
+
+/// @param of_e, of_o the two numbers
+template <class Real>
+VCAVITY_INLINE PairOf<Real> pair_of(const Real& of_e, const Real& of_o) {
+  static constexpr std::array is_of_o{0.0f, 1.0f, 0.0f, 1.0f};
+  return select(PairOf<Real>::load(is_of_o.data()) > Real(0), PairOf<Real>(of_o), PairOf<Real>(of_e));
+}
+
+}  // namespace detail
 
 /// A groove that leads light from e to o, and by which way.
 template <class Real>
@@ -65,19 +81,21 @@ class ConnectingGrooves {
     tilt_ = sqrt(tilt2);
     // Without a tilt of e + o any azimuth serves.
     const auto is_tilted = tilt_ > Real(0);
-    const Real inverted = select(is_tilted, tilt_, Real(1));
-    across_ = {h_x / inverted, select(is_tilted, Real(h_y / inverted), Real(1))};
+    scale_ = select(is_tilted, tilt_, Real(1));
+    const Real inverse = Real(1) / scale_;
+    across_ = {h_x / scale_, select(is_tilted, Real(h_y / scale_), Real(1))};
     e_ = in_groove(e);
     o_ = in_groove(o);
     // Of e_y and o_y the sum is |h|, and the difference follows from the heights, since e and o are of one length.
     // Next to the mirror direction, where h is short, products of h with e and o would lose their digits.
-    const Real drop = (o_.z - e_.z) * ((o_.z + e_.z) / inverted);
-    const Real apart2 = select(is_tilted, tilt2, Real(4));  // longer than any direction's horizontal part
-    e_.y = select(apart2 < horizontal_square(e), Real(Real(0.5) * (tilt_ + drop)), e_.y);
-    o_.y = select(apart2 < horizontal_square(o), Real(Real(0.5) * (tilt_ - drop)), o_.y);
-    cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
     const Real sum_z = e_.z + o_.z;
-    inverse_sum_ = Real(1) / Real(sqrt(tilt2 + sum_z * sum_z));
+    const Real drop = (o_.z - e_.z) * sum_z;
+    along_h_ = along(e, o, {h_x, h_y}, tilt2, drop);
+    e_.y = select(is_tilted, Real(along_h_.x * inverse), e_.y);
+    o_.y = select(is_tilted, Real(along_h_.y * inverse), o_.y);
+    cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
+    sum_length_ = sqrt(tilt2 + sum_z * sum_z);
+    inverse_sum_ = Real(1) / sum_length_;
   }
 
   /// The unit vector across the grooves, from the side of panel one to that of panel two.
@@ -112,12 +130,17 @@ class ConnectingGrooves {
 
   /// The groove of one bounce, a facet whose normal is half-way between the directions.
   VCAVITY_INLINE ConnectingGroove<Real> first() const {
-    const Real sum_z = e_.z + o_.z;
-    const Real sin_half = sum_z * inverse_sum_;
-    // e · m = |e + o|/2, and what the rims of the groove leave of it.
-    const Real lit = at_most(Real(Real(0.5) / inverse_sum_), Real(Real(2) * sin_half * at_most(e_.z, o_.z)));
-    return {Panel::one, 1, tilt_ * inverse_sum_, sin_half, lit / cos_eta_};
+    return {Panel::one, 1, tilt_ * inverse_sum_, (e_.z + o_.z) * inverse_sum_, lit_of_first() / cos_eta_};
   }
+
+  /// BRDF × cosine of the light of one bounce per facet density D(m), for facets that reflect all light.
+  VCAVITY_INLINE Real weight_of_first() const { return (Real(0.5) / e_.z) * (lit_of_first() * inverse_sum_); }
+
+  /// e · h and o · h, the components across the groove, times |h|.
+  const Vec2<Real>& along_h() const { return along_h_; }
+
+  /// |h|, or 1 where that is 0.
+  const Real& scale() const { return scale_; }
 
   /// The ways of two and more bounces, for those who go through them one at a time.
   AllWays<Real> all_ways() const { return {elevation(e_), elevation(o_), across_, cos_eta_, e_.z, tilt_}; }
@@ -126,23 +149,21 @@ class ConnectingGrooves {
   /// Euler–Maclaurin formula, with a relative error of the whole BRDF of 3e-4 at most for 32, and seldom a fifth of that.
   /// @param steepest_density D of the facets of vertical slope, whose normal is the horizontal vector `across`
   /// @param max_bounces light that needs more bounces is left out
-  Real density_beyond(int max_bounces, const Real& steepest_density) const {
+  VCAVITY_INLINE Real density_beyond(int max_bounces, const Real& steepest_density) const {
     if (!(tilt_ > Real(0)) || !(steepest_density > Real(0))) return Real(0);
-    const Elevation from = elevation(e_), to = elevation(o_);
-    const std::array odd{Series(from, to), Series(from.turned(), to.turned())};
-    const std::array even{Series(from, to.turned()), Series(from.turned(), to)};
-    const bool odd_is_next = max_bounces % 2 == 0;
-    const Real steepness = e_.z / cos_eta_;
-    Real sum(0);
-    for (const Series& series : odd)
-      sum += series.beyond(Real(odd_is_next ? max_bounces : max_bounces + 1), steepness);
-    for (const Series& series : even)
-      sum += series.beyond(Real(odd_is_next ? max_bounces + 1 : max_bounces), steepness);
-    return cos_eta_ / (Real(2) * tilt_ * e_.z) * (steepest_density * sum);
+    // By value: what is handed over by address lies in memory from the beginning on.
+    return cos_eta_ / (Real(2) * tilt_ * e_.z) *
+           (steepest_density * beams_beyond(max_bounces, {e_.y, e_.z}, {o_.y, o_.z}, e_.z / cos_eta_));
   }
 
  private:
   using Elevation = detail::Elevation<Real>;
+
+  /// e · m = |e + o|/2 of the facet of one bounce, and what the rims of the groove leave of it.
+  VCAVITY_INLINE Real lit_of_first() const {
+    return at_most(Real(Real(0.5) * sum_length_),
+                   Real(Real(2) * ((e_.z + o_.z) * inverse_sum_) * at_most(e_.z, o_.z)));
+  }
 
   /// The elevation of a direction above the side of panel one.
   VCAVITY_INLINE static Elevation elevation(const Vec3<Real>& v) { return detail::elevation_of(v.y, v.z); }
@@ -191,7 +212,45 @@ class ConnectingGrooves {
     Real most_bounces_;
   };
 
-  static Real horizontal_square(const Vec3<Real>& v) { return v.x * v.x + v.y * v.y; }
+  /// The integral of the terms cos(α/2) B/j over the numbers j beyond a limit, of all series, for D(m) = 1.
+  /// @param e, o the directions in the plane across the groove
+  /// @param steepness e_z/cos η
+  VCAVITY_NOINLINE static Real beams_beyond(int max_bounces, Vec2<Real> e, Vec2<Real> o, Real steepness) {
+    const Elevation from = detail::elevation_of(e.x, e.y), to = detail::elevation_of(o.x, o.y);
+    const std::array odd{Series(from, to), Series(from.turned(), to.turned())};
+    const std::array even{Series(from, to.turned()), Series(from.turned(), to)};
+    const bool odd_is_next = max_bounces % 2 == 0;
+    Real sum(0);
+    for (const Series& series : odd)
+      sum += series.beyond(Real(odd_is_next ? max_bounces : max_bounces + 1), steepness);
+    for (const Series& series : even)
+      sum += series.beyond(Real(odd_is_next ? max_bounces + 1 : max_bounces), steepness);
+    return sum;
+  }
+
+  /// v · h of one of the two directions, or of both side by side.
+  /// @param v_x, v_y its horizontal components
+  /// @param drop the square of the other direction's height, less that of its own
+  /// @param h the horizontal part of their sum
+  /// @param tilt2 |h|²
+  template <class Value>
+  VCAVITY_INLINE static Value along(const Value& v_x, const Value& v_y, const Value& drop,
+                                    const Vec2<Real>& h, const Real& tilt2) {
+    const Value product = h.x * v_x + h.y * v_y;
+    return select(v_x * v_x + v_y * v_y > tilt2, Value(Real(0.5) * (Value(tilt2) + drop)), product);
+  }
+
+  /// e · h and o · h. In lanes, where compilers make no branch of the choice: processors would guess it wrong half the time.
+  VCAVITY_INLINE static Vec2<Real> along(const Vec3<Real>& e, const Vec3<Real>& o, const Vec2<Real>& h,
+                                         const Real& tilt2, const Real& drop) {
+    if constexpr (Number<Real>) {
+      const detail::PairOf<Real> both = along(detail::pair_of(e.x, o.x), detail::pair_of(e.y, o.y),
+                                              detail::pair_of(drop, Real(-drop)), h, tilt2);
+      return {both[0], both[1]};
+    } else {
+      return {along(e.x, e.y, drop, h, tilt2), along(o.x, o.y, Real(-drop), h, tilt2)};
+    }
+  }
 
   /// A direction in the frame of the grooves; its inverse height, and products of two of these, are finite.
   VCAVITY_INLINE Vec3<Real> in_groove(const Vec3<Real>& v) const {
@@ -212,7 +271,10 @@ class ConnectingGrooves {
   Vec2<Real> across_;
   Vec3<Real> e_, o_;  // in the frame of the grooves
   Real tilt_;         // |h|
+  Real scale_;        // the same, or 1 where that is 0
+  Vec2<Real> along_h_;
   Real cos_eta_;
+  Real sum_length_;   // |e + o|
   Real inverse_sum_;  // 1/|e + o|
 };
 

@@ -81,7 +81,9 @@ class DrawnRay {
   }
 
   /// The same of an array of rays.
-  GrooveWays<Real> way() const { return {count_, elevation_, half_aperture_, cos_half_, sin_half_, beam_}; }
+  GrooveWays<Real> way() const {
+    return {count_, Real(1) / count_, elevation_, half_aperture_, cos_half_, sin_half_, beam_};
+  }
 
   /// The direction in which the ray leaves, a unit vector in the frame of the surface, z ≥ 0.
   const Vec3<Real>& leaving() const { return leaving_; }

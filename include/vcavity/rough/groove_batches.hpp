@@ -57,7 +57,7 @@ struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
 };
 
 /// All grooves that lead light from one direction into another, in batches: the first one, and then those of
-/// `second`, `second` + 4, … to `last` bounces.
+/// `second`, `second` + 4, … bounces for as long as these `reach` so far.
 template <class Real>
 class GrooveBatches {
  public:
@@ -71,12 +71,17 @@ class GrooveBatches {
   /// @param grooves outlive this
   /// @param max_bounces light that needs more bounces is left out; at least 1
   VCAVITY_INLINE GrooveBatches(const ConnectingGrooves<Real>& grooves, int max_bounces)
-      : GrooveBatches(grooves, max_bounces,
-                      detail::acute_angles(pair(grooves.to_light().z, grooves.leaving().z),
-                                           magnitude(pair(grooves.to_light().y, grooves.leaving().y)))) {}
+      : GrooveBatches(
+            grooves, max_bounces,
+            // Of triangles that are |h| times as large: so no division by |h| comes first.
+            detail::acute_angles(grooves.scale() * detail::pair_of(grooves.to_light().z, grooves.leaving().z),
+                                 magnitude(detail::pair_of(grooves.along_h().x, grooves.along_h().y)))) {}
 
-  /// No light goes a way of more bounces than this.
-  int last() const { return last_; }
+  /// Whether there may be grooves in a batch.
+  /// @param least number of bounces of its first pair of lanes; odd and above 1
+  VCAVITY_INLINE bool reach(int least) const {
+    return least <= max_bounces_ && any_of(series_.have(bounces_from(least)));
+  }
 
   /// The batch of one to four bounces.
   VCAVITY_INLINE Batch first() const {
@@ -90,23 +95,21 @@ class GrooveBatches {
     batch.cos_half = select(mask, Lanes(one.cos_half), batch.cos_half);
     batch.sin_half = select(mask, Lanes(one.sin_half), batch.sin_half);
     batch.beam = select(mask, one.beam * existing, batch.beam);
-    batch.weight = select(mask, grooves_.density(one, Real(1)) * existing, batch.weight);
+    batch.weight = select(mask, grooves_.weight_of_first() * existing, batch.weight);
     return batch;
   }
 
   /// A further batch.
   /// @param least number of bounces of the first pair of lanes; odd
   VCAVITY_INLINE Batch from(int least) const {
-    static constexpr std::array in_pairs{0.0f, 0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 3.0f};
-    Batch batch{series_.ways(Lanes(Real(least)) + Lanes::load(in_pairs.data())), least, {}};
-    batch.beam = select(batch.bounces > Real(last_), Lanes(Real(0)), batch.beam);
-    batch.weight = scale_ * (batch.beam * ((inverse_tilt_ * batch.cos_half) / batch.bounces));
+    Batch batch{series_.ways(bounces_from(least)), least, {}};
+    batch.beam = select(batch.bounces > Real(max_bounces_), Lanes(Real(0)), batch.beam);
+    batch.weight = scale_ * (batch.beam * ((inverse_tilt_ * batch.cos_half) * batch.inverse_bounces));
     return batch;
   }
 
  private:
-  /// Numbers of e and of o, side by side; twice where registers are that wide.
-  using Pair = Pack<Real, detail::has_short_series<Real> ? 4 : 2>;
+  using Pair = detail::PairOf<Real>;
 
   /// @param low the elevations of e and o above the nearer horizon
   VCAVITY_INLINE GrooveBatches(const ConnectingGrooves<Real>& grooves, int max_bounces, const Pair& low)
@@ -114,16 +117,10 @@ class GrooveBatches {
       : grooves_(grooves),
         series_(elevation(low[0], grooves.to_light().y * Batch::sides()),
                 elevation(low[1], grooves.leaving().y * leaving_sides())),
-        scale_(grooves.cos_eta() / (Real(2) * grooves.to_light().z)) {
+        scale_(grooves.cos_eta() * (Real(0.5) / grooves.to_light().z)) {
     const bool is_tilted = grooves.tilt() > Real(0);
     inverse_tilt_ = is_tilted ? Real(Real(1) / grooves.tilt()) : Real(0);
-    const Real most = is_tilted ? largest_of(series_.most_bounces()) : Real(1);
-    last_ = most < Real(max_bounces) ? static_cast<int>(most) : max_bounces;
-  }
-
-  VCAVITY_INLINE static Pair pair(const Real& of_e, const Real& of_o) {
-    static constexpr std::array is_of_o{0.0f, 1.0f, 0.0f, 1.0f};
-    return select(Pair::load(is_of_o.data()) > Real(0), Pair(of_o), Pair(of_e));
+    max_bounces_ = is_tilted ? max_bounces : 1;
   }
 
   /// 1 where light leaves over panel one, −1 where over panel two.
@@ -141,17 +138,17 @@ class GrooveBatches {
     return {select(is_behind, far, near), select(is_behind, near, far)};
   }
 
-  /// The largest of the first four lanes, which are all that differ.
-  VCAVITY_INLINE static Real largest_of(const Lanes& a) {
-    const Real of_odd = a[0] < a[1] ? a[1] : a[0], of_even = a[2] < a[3] ? a[3] : a[2];
-    return of_odd < of_even ? of_even : of_odd;
+  /// The numbers of bounces of a batch.
+  VCAVITY_INLINE static Lanes bounces_from(int least) {
+    static constexpr std::array in_pairs{0.0f, 0.0f, 1.0f, 1.0f, 2.0f, 2.0f, 3.0f, 3.0f};
+    return Lanes(Real(least)) + Lanes::load(in_pairs.data());
   }
 
   const ConnectingGrooves<Real>& grooves_;
   WaySeries<Lanes> series_;
   Real scale_;  // cos η/(2 e_z)
   Real inverse_tilt_;
-  int last_;
+  int max_bounces_;  // 1 where only the groove of one bounce counts
 };
 
 /// Calls `visit` with every groove of at most `max_bounces` bounces, in ascending order of these.
@@ -164,7 +161,7 @@ void for_each_groove(const ConnectingGrooves<Real>& grooves, int max_bounces, Vi
   };
   const GrooveBatches<Real> batches(grooves, max_bounces);
   visit_batch(batches.first());
-  for (int least = batches.second; least <= batches.last(); least += Batch::bounce_counts)
+  for (int least = batches.second; batches.reach(least); least += Batch::bounce_counts)
     visit_batch(batches.from(least));
 }
 

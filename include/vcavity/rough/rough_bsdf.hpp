@@ -145,7 +145,7 @@ class RoughGrooveBsdf {
     if (max_bounces_ == 1) return density(grooves, grooves.first()) + density_of_long_ways(grooves);
     const GrooveBatches<Real> batches(grooves, max_bounces_);
     sum = lane_sum(densities(grooves, batches.first(), sum));
-    for (int least = batches.second; least <= batches.last(); least += GrooveBatch<Real>::bounce_counts)
+    for (int least = batches.second; batches.reach(least); least += GrooveBatch<Real>::bounce_counts)
       sum += lane_sum(densities(grooves, batches.from(least), sum));
     return sum + density_of_long_ways(grooves);
   }
@@ -164,8 +164,15 @@ class RoughGrooveBsdf {
       if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
     } else {
       const GrooveBatches<Real> batches(grooves, max_bounces_);
-      add(result, grooves, batches.first());
-      for (int least = batches.second; least <= batches.last(); least += GrooveBatch<Real>::bounce_counts)
+      constexpr int second = GrooveBatches<Real>::second;
+      if constexpr (ComponentsOverDirections<Facet, Real>) {
+        result = short_ways(grooves, batches);
+      } else {
+        add(result, grooves, batches.first());
+        if (batches.reach(second)) add(result, grooves, batches.from(second));
+      }
+      for (int least = second + GrooveBatch<Real>::bounce_counts; batches.reach(least);
+           least += GrooveBatch<Real>::bounce_counts)
         add(result, grooves, batches.from(least));
     }
     const Real long_ways = density_of_long_ways(grooves);
@@ -265,25 +272,40 @@ class RoughGrooveBsdf {
     }
   }
 
+  /// What goes through the first two batches.
+  VCAVITY_INLINE BsdfEvaluation<Real, Value> short_ways(const ConnectingGrooves<Real>& grooves,
+                                                        const GrooveBatches<Real>& batches) const {
+    constexpr int second = GrooveBatches<Real>::second;
+    const GrooveBatch<Real> first = batches.first();
+    const Lanes white = densities(grooves, first, Real(0));
+    if (max_bounces_ < second)
+      return light_of_short_ways<1>(facet_, grooves.to_light(), first, white).template sum<Value>();
+    // The second batch is computed in any case: so it is there by the time that it is known to count.
+    const GrooveBatch<Real> further = batches.from(second);
+    const bool may_count = batches.reach(second);
+    auto light = light_of_short_ways<1>(facet_, grooves.to_light(), first, white);
+    if (may_count) {
+      const Lanes more = densities(grooves, further, white[0]);
+      if (any_of(more > Real(0)))
+        light = light + light_of_short_ways<second>(facet_, grooves.to_light(), further, more);
+    }
+    return light.template sum<Value>();
+  }
+
   /// Adds what goes through a batch.
   VCAVITY_INLINE void add(BsdfEvaluation<Real, Value>& sum, const ConnectingGrooves<Real>& grooves,
                           const GrooveBatch<Real>& batch) const {
     const Lanes white = densities(grooves, batch, sum.pdf);
     if constexpr (ComponentsOverDirections<Facet, Real>) {
-      if (batch.least_bounces == 1) {
-        add_short_ways(sum, facet_, grooves.to_light(), batch, white);
-      } else {
-        add_long_ways(sum.value, facet_, grooves.cos_eta(), batch, white);
-        sum.pdf += lane_sum(white);
-      }
+      add_long_ways(sum.value, facet_, grooves.cos_eta(), batch, white);
     } else {
       for (std::size_t lane = 0; lane < batch.capacity; ++lane)
         if (white[lane] > Real(0)) sum.value = sum.value + term(grooves, batch[lane], white[lane]);
-      sum.pdf += lane_sum(white);
     }
+    sum.pdf += lane_sum(white);
   }
 
-  Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {
+  VCAVITY_INLINE Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {
     if (long_ways_ == LongWays::lost) return Real(0);
     const Vec3<Real> steepest{grooves.across().x, grooves.across().y, Real(0)};
     return grooves.density_beyond(max_bounces_, distribution_.density(steepest));

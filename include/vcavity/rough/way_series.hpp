@@ -25,9 +25,10 @@ namespace vcavity {
 /// Ways through grooves side by side, one in each component of a value.
 template <class Value>
 struct GrooveWays {
-  Value bounces;        ///< the numbers of bounces
-  Value elevation;      ///< of the light above the panel that is met first, in the plane across the groove
-  Value half_aperture;  ///< α/2
+  Value bounces;          ///< the numbers of bounces
+  Value inverse_bounces;  ///< 1/bounces
+  Value elevation;        ///< of the light above the panel that is met first, in the plane across the groove
+  Value half_aperture;    ///< α/2
   Value cos_half, sin_half;
   Value beam;  ///< B, as in `ConnectingGroove`; 0 where there is no groove
 
@@ -71,23 +72,27 @@ class WaySeries {
     const Value difference =
         select(is_low, Value(upper_ - lower_), Value(lower_complement_ - upper_complement_));
     beta_ = Real(0.5) * (upper_complement_ - lower_);
-    const Value slowest = larger(Value(difference - Real(2) * beta_), difference);
-    most_bounces_ = sum_ / at_least(slowest, std::numeric_limits<Real>::min());
+    slowest_ = larger(Value(difference - Real(2) * beta_), difference);
     beam_of_one_ = Real(2) * detail::acute_sine(Value(Real(0.5) * sum_));
     nearer_ = select(is_low, lower_, Value(-lower_complement_));
     half_turns_before_ = select(is_low, Value(Real(1)), Value(Real(2)));
   }
 
   /// Ways of fewer bounces than this exist.
-  const Value& most_bounces() const { return most_bounces_; }
+  Value most_bounces() const { return sum_ / at_least(slowest_, std::numeric_limits<Real>::min()); }
+
+  /// Where there are ways of given numbers of bounces.
+  /// @param bounces whole numbers above 1
+  VCAVITY_INLINE mask_t<Value> have(const Value& bounces) const { return sum_ > Value(bounces * slowest_); }
 
   /// The ways of given numbers of bounces.
   /// @param bounces whole numbers above 1, of the parity of the series
   VCAVITY_INLINE GrooveWays<Value> ways(const Value& bounces) const {
     GrooveWays<Value> ways;
     ways.bounces = bounces;
+    ways.inverse_bounces = Value(Real(1)) / bounces;
     ways.elevation = from_;
-    const Value inverse = Value(Real(0.5)) / bounces;
+    const Value inverse = Real(0.5) * ways.inverse_bounces;
     const Value fewer = bounces - Value(Real(1));
     ways.half_aperture = sum_ * inverse;
     const Value x = ((bounces + Value(Real(1))) * lower_ - fewer * upper_) * inverse;
@@ -99,7 +104,7 @@ class WaySeries {
     ways.cos_half = detail::acute_cosine(ways.half_aperture);
     ways.sin_half = detail::acute_sine(ways.half_aperture);
     const Value beam = select(is_one_lit, beam_of_one_, Value(Real(1))) * detail::acute_sine(angle);
-    ways.beam = select(most_bounces_ > bounces, at_least(beam, Real(0)), Value(Real(0)));
+    ways.beam = select(have(bounces), at_least(beam, Real(0)), Value(Real(0)));
     return ways;
   }
 
@@ -114,7 +119,7 @@ class WaySeries {
   Value sum_;                // jα
   Value beta_;
   Value beam_of_one_;  // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
-  Value most_bounces_;
+  Value slowest_;      // jα is above j times this for all numbers j of bounces that there are
 };
 
 /// The ways of all numbers of bounces above 1 and of both first panels that lead light from one direction into another,
