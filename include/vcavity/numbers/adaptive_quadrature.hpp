@@ -6,7 +6,8 @@
 /// Method. The range comes in pieces on which the integrand is smooth. Each is integrated by the Gauss–Legendre
 /// rule whose order its singularities ask for; the fall of the Legendre series tells the error
 /// (legendre_series.hpp). As long as the errors add up to more than the tolerance, the piece with the largest
-/// one gets a rule of higher order, or is halved where the highest does not do.
+/// one gets a rule of higher order, or is halved where the highest does not do. For the next, similar integral pieces
+/// keep the orders they ended with, or lower ones where those did far better than they had to.
 ///
 /// When not to use it: for an integrand whose singularities lie inside the pieces, unknown, it converges slowly.
 
@@ -95,7 +96,7 @@ struct SeriesSum {
 };
 
 /// The integral over all pieces.
-/// @param pieces of the range; in the end as they were then, a good start for a similar integrand
+/// @param pieces of the range; in the end as they were then but for ample orders, a good start for a similar integrand
 /// @param tolerance absolute error to aim at; what cannot be reached is told in the result
 /// @param orders to try
 /// @param estimate called with a piece and a rule, returns a `PieceEstimate`
@@ -195,10 +196,10 @@ AdaptiveIntegral<Value> integrate_adaptively(std::vector<QuadraturePiece<Real>>&
     result.noise += work.estimate.noise;
     pieces.push_back(work.piece);
     // A piece that came out far better than it has to begins with fewer nodes next time.
-    const double ample = 0.01 * tolerance / static_cast<double>(heap.size());
+    const double ample = 0.1 * tolerance / static_cast<double>(heap.size());
     if (work.error < ample && work.fall > 0) {
-      constexpr double most = 1e-3;
-      const double spare = std::log(ample / std::max(work.error, most * ample)) / work.fall;
+      constexpr double least_error = 1e-8;
+      const double spare = std::log(ample / std::max(work.error, least_error * ample)) / work.fall;
       const auto fewer = orders.step * static_cast<std::size_t>(spare / static_cast<double>(orders.step));
       const std::size_t least = work.piece.symmetry == Symmetry::even ? orders.min_even() : orders.min;
       pieces.back().order = std::max(work.piece.order - std::min(fewer, work.piece.order), least);
