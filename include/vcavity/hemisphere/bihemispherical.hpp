@@ -6,7 +6,8 @@
 /// Method. Light is sorted by the number of its bounces (bounce_series.hpp). What remains is an integral over a
 /// rectangle of two angles, smooth except at angles that are known beforehand: where a cosine of incidence
 /// passes the critical angle of the facet, if it has one. There the rectangle is cut, and Gauss–Legendre
-/// quadrature on the pieces converges exponentially (hemisphere_quadrature.hpp).
+/// quadrature on the pieces converges exponentially (hemisphere_quadrature.hpp). Narrow grooves are as good as even across
+/// but for the rays of most bounces, which are integrated apart (bounce_series.hpp).
 ///
 /// When not to use it: for a facet reflectance with steps or kinks of its own it still converges, but slowly.
 

@@ -36,10 +36,8 @@ class CavityIntegrand {
         max_bounces_(max_bounces),
         singularities_(facet, is_narrow(cavity) ? AlongVariable::logarithmic : AlongVariable::angle,
                        decay_along(cavity)) {
-    // Blurred over more than bounces are apart, critical angles are nowhere to be cut at: all is smooth across.
-    constexpr double enough_blur = 0.125;  // of α, by trial: fewest evaluations
-    if (singularities_.blur() > enough_blur * static_cast<double>(cavity.aperture()))
-      singularities_.take_as_smooth();
+    constexpr double enough_blur = 0.125;  // by trial: fewest evaluations
+    take_as_smooth_beyond(enough_blur);
     // Grazing light is spread out in vain where it is reflected totally.
     if (singularities_.total_below() > Real(0)) singularities_.take(AlongVariable::angle);
   }
@@ -94,6 +92,8 @@ class CavityIntegrand {
   void take_cuts(std::size_t most) {
     most_cuts_ = most;
     is_rough_ = true;
+    constexpr double enough_blur = 0.03;  // by trial: more directions that few nodes will do for
+    take_as_smooth_beyond(enough_blur);
   }
 
   /// The width of the range of u.
@@ -391,6 +391,13 @@ class CavityIntegrand {
   }
 
  private:
+  /// Cuts at no critical angle, if they are blurred over more than this part of the angle between two bounces: then all is
+  /// smooth across.
+  void take_as_smooth_beyond(double part) {
+    if (singularities_.blur() > part * static_cast<double>(cavity_->aperture()))
+      singularities_.take_as_smooth();
+  }
+
   /// Where the rays of most bounces end, and where the overlap meets the apex.
   std::array<Real, 2> ends_of_rays() const {
     const Real half = cavity_->aperture() / Real(2);
