@@ -665,6 +665,20 @@ TEST_CASE("many critical angles, blurred by a little absorption, end with an hon
   CHECK(std::abs(coarse.value - fine.value) <= coarse.error + fine.error);
 }
 
+TEST_CASE("absorption that blurs critical angles by next to nothing costs next to nothing, and is honest") {
+  for (const double aperture_deg : {10.0, 60.0, 150.0}) {
+    const Cavity<double> cavity(radians(aperture_deg));
+    const auto none = bihemispherical_reflectance(cavity, Dielectric<double>(0.7), 1e-9);
+    for (const double k : {1e-320, 1e-300, 1e-100, 1e-20, 1e-13, 1e-11}) {
+      const auto little = bihemispherical_reflectance(cavity, Conductor<double>(0.7, k), 1e-9);
+      CAPTURE(aperture_deg, k, little.value, none.value, little.error, little.evaluations);
+      CHECK(little.error <= 1e-9);
+      CHECK(std::abs(little.value - none.value) <= little.error + none.error + 20 * k);
+      CHECK(static_cast<double>(little.evaluations) < 3e8 / (aperture_deg * aperture_deg));
+    }
+  }
+}
+
 TEST_CASE("a little absorption next to many critical angles is known to ten digits, or to a few") {
   const Conductor<double> metal(0.05, 0.0001), other(0.7, 0.001);
   const auto check = [](const auto& facet, double aperture_deg, double tolerance, long long most) {

@@ -245,7 +245,7 @@ class CavityIntegrand {
       const bool is_split = cuts_.empty() && is_logarithmic;
       if (is_split)
         for (const int part : {8, 4, 2}) ends.push_back(end() / Real(part));
-      else if (integrand_->singularities_.is_sharp())
+      else if (!integrand_->singularities_.is_smooth_on_both_sides())
         for (const auto& angle : cuts_) ends.push_back(angle.at);
       else
         add_ends_around_cuts(ends, is_logarithmic);

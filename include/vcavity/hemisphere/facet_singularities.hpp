@@ -135,6 +135,13 @@ class FacetSingularities {
   /// Whether critical angles are not blurred by absorption.
   bool is_sharp() const { return branch_.imag() == 0; }
 
+  /// Whether they are blurred enough for a variable in which they are smooth on either side; else it pays to cut at them, as
+  /// if they were sharp.
+  bool is_smooth_on_both_sides() const {
+    constexpr double enough = 1e-8;  // by trial: fewest evaluations
+    return blur() > enough;
+  }
+
   /// A piece of the range of the variable along the groove.
   /// @param angles at which to beware, in ascending order; none of them inside, unless blurred
   QuadraturePiece<Real> along(const Real& low, const Real& high,
@@ -175,7 +182,8 @@ class FacetSingularities {
         const bool ends_high = std::abs(at - double_of(high)) < coincident * half;
         if (!ends_low && !ends_high) {
           const std::complex<double> brewster = along_of_cosine(variable_, brewster_ / angle->cos_across);
-          if (!is_sharp()) blurred.push_back({(at - middle) / half, (brewster - middle) / half});
+          if (is_smooth_on_both_sides())
+            blurred.push_back({(at - middle) / half, (brewster - middle) / half});
           add(at);
           continue;
         }
@@ -224,7 +232,7 @@ class FacetSingularities {
           if (is_branch && (std::abs(angle - start) < coincident * half ||
                             std::abs(angle - double_of(high)) < coincident * half))
             angle = 2.0 * angle - (side * std::acos(brewster_) - bounce);  // as in `along`
-          else if (is_branch && !is_sharp())
+          else if (is_branch && is_smooth_on_both_sides())
             blurred.push_back(
                 {(angle - middle) / half, (side * std::acos(brewster_) - bounce - middle) / half});
           singularities.push_back((angle - middle) / half);
@@ -256,7 +264,7 @@ class FacetSingularities {
                               const std::vector<std::complex<double>>& singularities,
                               const std::vector<Blurred>& blurred) {
     for (const Blurred& own : blurred) {
-      if (own.branch.imag() == 0.0) continue;
+      if (own.branch.imag() == 0.0) continue;  // nowhere critical
       const SinhSubstitution variable(own.branch.real(), std::abs(own.branch.imag()));
       double nearest = half_axis(variable.inverse_on_other_sheet(own.brewster));
       for (const std::complex<double>& other : singularities)
