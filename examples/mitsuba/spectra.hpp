@@ -82,10 +82,10 @@ std::pair<Values, Values> index_of_lanes(const UnpolarizedSpectrum& eta, const U
 /// Values of vcavity as a spectrum of Mitsuba.
 template <class UnpolarizedSpectrum, class Real>
 UnpolarizedSpectrum to_spectrum(const Values<Real, UnpolarizedSpectrum>& values) {
-  UnpolarizedSpectrum result;
-  for (std::size_t i = 0; i < drjit::size_v<UnpolarizedSpectrum>; ++i)
-    result[i] = static_cast<float>(values[i]);
-  return result;
+  // In one step: an array that is written number by number and then read as a whole keeps the processor waiting.
+  return [&values]<std::size_t... i>(std::index_sequence<i...>) {
+    return UnpolarizedSpectrum(static_cast<float>(values[i])...);
+  }(std::make_index_sequence<drjit::size_v<UnpolarizedSpectrum>>());
 }
 
 /// A facet that reflects a given part of what another one reflects: `specular_reflectance`, at each bounce, as in

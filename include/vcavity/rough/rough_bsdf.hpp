@@ -280,11 +280,10 @@ class RoughGrooveBsdf {
     const Lanes white = densities(grooves, first, Real(0));
     if (max_bounces_ < second)
       return light_of_short_ways<1>(facet_, grooves.to_light(), first, white).template sum<Value>();
-    // The second batch is computed in any case: so it is there by the time that it is known to count.
-    const GrooveBatch<Real> further = batches.from(second);
     const bool may_count = batches.reach(second);
     auto light = light_of_short_ways<1>(facet_, grooves.to_light(), first, white);
     if (may_count) {
+      const GrooveBatch<Real> further = batches.from(second);
       const Lanes more = densities(grooves, further, white[0]);
       if (any_of(more > Real(0)))
         light = light + light_of_short_ways<second>(facet_, grooves.to_light(), further, more);
