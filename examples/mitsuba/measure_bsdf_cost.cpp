@@ -198,6 +198,12 @@ int main(int argument_count, char** arguments) {
   color_management_static_initialization(false, false);
   for (int i = 1; i < argument_count; ++i) file_resolver()->append(arguments[i]);
 
+  // That of the wheel, or calls into it would find their arguments in the wrong place; the plug-in has the same.
+#if defined(__AVX2__) && defined(__FMA__)
+  std::puts("Mitsuba and the plug-in are compiled for AVX2 and FMA.\n");
+#else
+  std::puts("Mitsuba and the plug-in are compiled for the least that processors of this kind have.\n");
+#endif
   std::puts("| distribution | roughness | bounce limit | eval | eval_pdf | sample, eval and pdf |");
   std::puts("|---|---|---|---|---|---|");
   for (const char* distribution : {"ggx", "beckmann"})
