@@ -19,6 +19,10 @@ VCAVITY_NOINLINE void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
+VCAVITY_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
 VCAVITY_NOINLINE void operator delete(void* memory) noexcept {
   std::free(memory);
 }
