@@ -330,23 +330,24 @@ TEST_CASE(
     long long most;
   };
   // With a cut at each of them they took three to twenty times as many.
-  for (const auto& [metal, aperture_deg, most] : {Row{{0.5, 0.1}, 60, 15'000},
-                                                  {{0.5, 0.1}, 20, 60'000},
-                                                  {{0.5, 0.1}, 1, 160'000},
-                                                  {{0.95, 0.01}, 7, 240'000},
-                                                  {{0.95, 0.01}, 0.7, 180'000},
-                                                  {{0.8, 0.3}, 31, 12'000}}) {
-    const Cavity<double> cavity(radians(aperture_deg));
+  for (const Row& row : {Row{{0.5, 0.1}, 60, 15'000},
+                         {{0.5, 0.1}, 20, 60'000},
+                         {{0.5, 0.1}, 1, 160'000},
+                         {{0.95, 0.01}, 7, 240'000},
+                         {{0.95, 0.01}, 0.7, 180'000},
+                         {{0.8, 0.3}, 31, 12'000}}) {
+    const Conductor<double>& metal = row.metal;
+    const Cavity<double> cavity(radians(row.aperture_deg));
     // Of facets that say nothing about themselves critical angles are not known, blurred or not.
     const auto check = [&](const auto& facet, const auto& silent) {
       const auto result = bihemispherical_reflectance(cavity, facet, 1e-10);
       const auto other = bihemispherical_reflectance(cavity, silent, 1e-10);
-      CAPTURE(aperture_deg, metal(1.0), result.value, other.value, result.error, other.error,
+      CAPTURE(row.aperture_deg, metal(1.0), result.value, other.value, result.error, other.error,
               result.evaluations);
       CHECK(result.error <= 1e-10);
       CHECK(other.error <= 1e-10);
       CHECK(std::abs(result.value - other.value) <= result.error + other.error);
-      CHECK(result.evaluations < most);
+      CHECK(result.evaluations < row.most);
     };
     check(metal, [&metal](double cosine) { return metal(cosine); });
     const auto fields = polarized(metal);
@@ -573,7 +574,8 @@ TEST_CASE(
   // Between their kinks all rays took up to three times as much, and fields up to five times.
   const Row rows[] = {
       {{1.5, 0}, 50'000, 80'000}, {{0.96, 6.7}, 150'000, 380'000}, {{0.1249, 3.3391}, 190'000, 560'000}};
-  for (const auto& [metal, most, most_with_fields] : rows)
+  for (const Row& row : rows) {
+    const Conductor<double>& metal = row.metal;
     for (const double aperture_deg : {0.0017, 0.007, 0.017, 0.07, 0.17, 0.7, 1.7, 2.3}) {
       const Cavity<double> cavity(radians(aperture_deg));
       const auto check = [&](const auto& facet, long long limit) {
@@ -584,7 +586,7 @@ TEST_CASE(
         CHECK(std::abs(result.value - finer.value) <= result.error);
         CHECK(result.evaluations <= limit);
       };
-      check(metal, most);
+      check(metal, row.most);
       // Facets that say nothing about themselves are integrated from kink to kink.
       if (aperture_deg > 0.05) {
         const auto apart = bihemispherical_reflectance(cavity, metal, 1e-10);
@@ -594,9 +596,10 @@ TEST_CASE(
         CHECK(std::abs(apart.value - together.value) <= apart.error + together.error);
         CHECK(together.error <= 1e-11);
       }
-      check(separately_polarized(metal), most);
-      check(polarized(metal), most_with_fields);
+      check(separately_polarized(metal), row.most);
+      check(polarized(metal), row.most_with_fields);
     }
+  }
 }
 
 TEST_CASE("limits of bounces next to the most that a groove allows are kept") {
