@@ -9,6 +9,16 @@
 ///
 /// When not to use it: with nvcc, which knows no such pragma.
 
+#include <cstddef>
+
+// What libstdc++ from 13 on calls where a precondition of a constant expression fails is a function of the processor. From 20
+// on Clang brings one for GPUs.
+#if defined(_GLIBCXX_RELEASE) && _GLIBCXX_RELEASE >= 13 && __clang_major__ < 20
+namespace std {
+__device__ inline void __glibcxx_assert_fail() {}
+}  // namespace std
+#endif
+
 #include <cmath>
 #include <new>
 #include <type_traits>
@@ -24,7 +34,6 @@
 #include <cassert>
 #include <complex>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
