@@ -34,8 +34,14 @@ struct Query {
 struct Answer {
   Colour value{0.0f}, weight{0.0f};
   Direction drawn{0.0f, 0.0f, 0.0f};
-  float probability = 0;
   int bounces = 0;
+
+  template <class Sample>
+  __host__ __device__ void take(const Sample& sample) {
+    weight = sample.weight;
+    drawn = sample.direction;
+    bounces = sample.bounces;
+  }
 };
 
 /// Surfaces: parallel grooves, whose value is their albedo, for mirrors have none in single directions;
@@ -50,12 +56,7 @@ struct Parallel {
   __host__ __device__ static Answer answer_of(const Any& bsdf, const Query& query) {
     Answer result;
     result.value = bsdf.albedo(query.view);
-    if (const auto sample = bsdf.sample(query.view, query.u_lobe)) {
-      result.weight = sample->weight;
-      result.drawn = sample->direction;
-      result.probability = sample->probability;
-      result.bounces = sample->bounces;
-    }
+    if (const auto sample = bsdf.sample(query.view, query.u_lobe)) result.take(*sample);
     return result;
   }
 };
@@ -83,12 +84,7 @@ struct Spread {
   __host__ __device__ Answer answer(const Query& query, std::size_t) const {
     Answer result;
     result.value = bsdf.evaluate(query.view, query.light);
-    if (const auto sample = bsdf.sample(query.view, query.u_lobe, query.u)) {
-      result.weight = sample->weight;
-      result.drawn = sample->direction;
-      result.probability = sample->probability;
-      result.bounces = sample->bounces;
-    }
+    if (const auto sample = bsdf.sample(query.view, query.u_lobe, query.u)) result.take(*sample);
     return result;
   }
 };

@@ -109,6 +109,17 @@ TEST_CASE("reflectance and absorptance of a direction add up to one in each mode
   }
 }
 
+TEST_CASE(
+    "a map of a BRDF shows the light of one bounce in the mirror direction, where all of it is infinite") {
+  const std::string rough_metal = "--material 0.2+3i --distribution ggx --roughness 0.3 --theta 0 --phi 0 ";
+  const ExrImage image = map_of(rough_metal + "--size 9");
+  const ExrImage one_bounce = map_of(rough_metal + "--size 9 --max-bounces 1");
+  const float middle = one_bounce.plane("Y")[4 * 9 + 4];
+  CHECK(middle > 0);
+  CHECK(image.plane("Y")[4 * 9 + 4] == middle);
+  CHECK(image.plane("Y")[4 * 9 + 5] > one_bounce.plane("Y")[4 * 9 + 5]);
+}
+
 TEST_CASE("a map says where it comes from") {
   const ExrImage image = map_of("--material Cu --aperture 45.5 --size 8 --wavelength 600 --max-bounces 2");
   CHECK(text(image, "command") ==

@@ -164,15 +164,14 @@ class RoughGrooveBsdf {
       if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
     } else {
       const GrooveBatches<Real> batches(grooves, max_bounces_);
-      constexpr int second = GrooveBatches<Real>::second;
+      int least = GrooveBatches<Real>::second;
       if constexpr (ComponentsOverDirections<Facet, Real>) {
         result = short_ways(grooves, batches);
+        least += GrooveBatch<Real>::bounce_counts;
       } else {
         add(result, grooves, batches.first());
-        if (batches.reach(second)) add(result, grooves, batches.from(second));
       }
-      for (int least = second + GrooveBatch<Real>::bounce_counts; batches.reach(least);
-           least += GrooveBatch<Real>::bounce_counts)
+      for (; batches.reach(least); least += GrooveBatch<Real>::bounce_counts)
         add(result, grooves, batches.from(least));
     }
     const Real long_ways = density_of_long_ways(grooves);

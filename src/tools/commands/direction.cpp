@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -57,6 +59,12 @@ struct Result {
   std::map<int, double> by_bounces;
 };
 
+/// What is printed where a BRDF is infinite: null in JSON, for every element of a matrix too.
+void make_infinite(Reflected& brdf) {
+  brdf.unpolarized = std::numeric_limits<double>::infinity();
+  if (brdf.mueller) brdf.mueller = std::numeric_limits<double>::quiet_NaN() * *brdf.mueller;
+}
+
 Result follow(const SurfaceAtWavelength& at, double theta_deg, double phi_deg, std::optional<double> position,
               const DirectionOptions& options) {
   const auto surface = make_surface(at.surface, at.wavelength_nm, {options.polarization, all_bounces});
@@ -84,6 +92,7 @@ Result follow(const SurfaceAtWavelength& at, double theta_deg, double phi_deg, s
     const Vec3<double> toward = direction_at(options.toward_deg[0], options.toward_deg[1]);
     result.brdf = surface->brdf(e, toward);
     if (!result.brdf) throw UsageError("--toward: a mirror has no BRDF; its lobes say where the light goes");
+    if (std::isinf(result.brdf->error)) make_infinite(result.brdf->value);
     result.cos_toward = toward.z;
     result.by_bounces = surface->by_bounces(e, toward);
     for (auto& [bounces, part] : result.by_bounces) part *= toward.z;

@@ -92,13 +92,12 @@ class RoughSurface final : public Surface {
 
   std::optional<SurfaceBrdf> brdf(const Vec3<double>& e, const Vec3<double>& toward) const override {
     const Vec3<double> o = off_horizon(toward);
-    const typename Bsdf::Value value = bsdf_.evaluate(e, o, Transport::importance);
-    Reflected brdf = reflected(typename Bsdf::Value((1 / o.z) * value));
+    const bool is_infinite = max_bounces_ > 1 && is_mirror_direction(e, o);
+    const typename Bsdf::Value value = is_infinite ? bsdf_.evaluate_bounces(e, o, 1, Transport::importance)
+                                                   : bsdf_.evaluate(e, o, Transport::importance);
+    const Reflected brdf = reflected(typename Bsdf::Value((1 / o.z) * value));
     if (max_bounces_ == 1 || !(brdf.unpolarized > 0)) return SurfaceBrdf{brdf, 0};
-    if (!is_mirror_direction(e, o)) return SurfaceBrdf{brdf, error_near_mirror(e, o, brdf.unpolarized)};
-    brdf.unpolarized = infinity;
-    if (brdf.mueller) brdf.mueller = std::numeric_limits<double>::quiet_NaN() * *brdf.mueller;
-    return SurfaceBrdf{brdf, infinity};
+    return SurfaceBrdf{brdf, is_infinite ? infinity : error_near_mirror(e, o, brdf.unpolarized)};
   }
 
   std::map<int, double> by_bounces(const Vec3<double>& e) const override {

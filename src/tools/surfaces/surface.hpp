@@ -66,7 +66,8 @@ struct SurfaceRay {
   Vec3<double> direction{};  ///< in which the light travels after its last bounce
 };
 
-/// The bidirectional reflectance distribution function for a pair of directions.
+/// The bidirectional reflectance distribution function for a pair of directions. In the mirror direction of a rough
+/// surface it is infinite: there the error is, and the value is that of the light of one bounce.
 struct SurfaceBrdf {
   Reflected value;   ///< per steradian
   double error = 0;  ///< estimate of the absolute error; 0 where the value is a closed form
