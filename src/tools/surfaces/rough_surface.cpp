@@ -111,13 +111,11 @@ class RoughSurface final : public Surface {
 
   std::map<int, double> by_bounces(const Vec3<double>& e, const Vec3<double>& toward) const override {
     const Vec3<double> o = off_horizon(toward);
+    const int most = is_mirror_direction(e, o) ? 1 : listed_parts;  // the others are infinite there
     std::map<int, double> result;
     bsdf_.for_each_part(e, o, Transport::importance, [&](int bounces, const typename Bsdf::Value& part) {
-      if (bounces <= listed_parts) result[bounces] += unpolarized(part) / o.z;
+      if (bounces <= most) result[bounces] += unpolarized(part) / o.z;
     });
-    if (is_mirror_direction(e, o))
-      for (auto& [bounces, part] : result)
-        if (bounces > 1 && part > 0) part = infinity;
     return result;
   }
 
