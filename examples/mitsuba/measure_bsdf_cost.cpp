@@ -208,7 +208,7 @@ int main(int argument_count, char** arguments) {
   std::puts("|---|---|---|---|---|---|");
   for (const char* distribution : {"ggx", "beckmann"})
     for (const float roughness : {0.1f, 0.3f, 1.0f})
-      for (const int bounces : {1, 2, 4, 8, 19, 32}) print_row(distribution, roughness, bounces);
+      for (const int bounces : {1, 2, 4, 5, 8, 13, 32}) print_row(distribution, roughness, bounces);
 
   std::puts("\n| grooves | texture | sample |");
   std::puts("|---|---|---|");

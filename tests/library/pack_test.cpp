@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vcavity/vcavity.hpp>
 
 #include "support/catch.hpp"
@@ -69,6 +70,8 @@ void check_the_lane_that_decides() {
     one_dark[lane] = Real(0);
     one_negative[lane] = Real(-3);
     CHECK(any_of(one_bright > Real(0)));
+    CHECK(bits_of(one_bright > Real(0)) == std::uint64_t(1) << lane);
+    CHECK(bits_of(one_dark > Real(0)) == (std::uint64_t(1) << size) - 1 - (std::uint64_t(1) << lane));
     CHECK_FALSE(all_of(one_dark > Real(0)));
     CHECK(largest(one_bright) == Real(0.25));
     CHECK(largest(one_negative) == Real(3));

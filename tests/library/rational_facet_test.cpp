@@ -35,12 +35,16 @@ const std::array<Index, 7> opaque{
 
 }  // namespace
 
-TEST_CASE(
-    "metals as rational functions differ from Fresnel's formula by rounding in float, by 1e-12 in double") {
+TEST_CASE("metals as rational functions differ from Fresnel's formula by rounding, glasses by little more") {
   for (const Index& index : opaque) {
     CAPTURE(index.n, index.k);
     CHECK(largest_difference<float>(index) < 4e-7);
-    CHECK(largest_difference<double>(index) < 1e-12);
+    CHECK(largest_difference<double>(index) < 1e-13);
+  }
+  for (const double n : {1.33, 1.5, 2.4}) {
+    CAPTURE(n);
+    CHECK(largest_difference<float>({n, 0}) < 3e-6);
+    CHECK(largest_difference<double>({n, 0}) < 1e-11);
   }
 }
 
@@ -50,9 +54,9 @@ TEST_CASE("the error that a fit reports is the one that it has, be it small or l
     const RationalFacet<double> fitted(Conductor<double>(index.n, index.k));
     const double found = largest_difference<double>(index);
     CHECK(found <= 2 * fitted.error() + 1e-15);
-    CHECK(fitted.error() <= found + 1e-15);
+    CHECK(fitted.error() <= 1.001 * found + 1e-15);  // the grids are not the same
   }
-  // Total reflection has a kink, which no polynomial follows.
+  // Total reflection has a kink, which no rational function follows.
   CHECK(RationalFacet<double>(Conductor<double>(0.7, 0)).error() > 1e-3);
 }
 

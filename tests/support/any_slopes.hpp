@@ -13,7 +13,9 @@
 namespace vcavity::test {
 
 template <class Slopes, class Lanes>
-concept HasDensities = requires(const Slopes& slopes, const Vec3<Lanes>& m) { slopes.densities(m); };
+concept HasDensities = requires(const Slopes& slopes, const Vec2<scalar_t<Lanes>>& across, const Lanes& x) {
+  slopes.densities(across, x, x);
+};
 
 /// One of some distributions. It has densities of packs if all of them have.
 template <class Real, class... Slopes>
@@ -29,8 +31,9 @@ class OneOfSlopes {
   }
   template <class Lanes>
     requires(HasDensities<Slopes, Lanes> && ...)
-  Lanes densities(const Vec3<Lanes>& m) const {
-    return std::visit([&m](const auto& slopes) { return slopes.densities(m); }, slopes_);
+  Lanes densities(const Vec2<Real>& across, const Lanes& cos_half, const Lanes& sin_half) const {
+    return std::visit([&](const auto& slopes) { return slopes.densities(across, cos_half, sin_half); },
+                      slopes_);
   }
   Vec3<Real> sample(const Vec2<Real>& u) const {
     return std::visit([&u](const auto& slopes) { return slopes.sample(u); }, slopes_);

@@ -4,29 +4,33 @@
 /// Fresnel's reflectance as a rational function of the cosine, for renderers that ask for it at every bounce: no root,
 /// one division.
 ///
-/// Method. As a function of a complex cosine c the reflectance of unpolarised light has a pair of poles p, p* close to
-/// the interval [0, 1] of real angles, where r_p has its own, p = −1/√(m + 2) with the contrast m = (n + ik)² − 1; its
-/// branch points ±√(−m) are further away, the further the larger the index (interface.hpp). So R(c) |c − p|² is
-/// smooth, and a polynomial P through its values at Chebyshev nodes converges fast:
+/// Method. At grazing incidence all light is reflected, and what is lost near it, 1 − R(c) ~ c, is an analytic function
+/// of the cosine: its nearest singularities are the poles of r_p and r_s on the far side of 0, its branch points are
+/// further away (interface.hpp). So a quotient of polynomials converges fast,
 ///
-///     R(c) ≈ P(c)/((c − Re p)² + (Im p)²).
+///     R(c) ≈ P(c)/Q(c),   P(0) = Q(0) = 1,
 ///
-/// Range: any interface; what the fit is worth is measured when it is made, `error()`: for metals at visible wavelengths
-/// 2e-7 in float, that is rounding, and 1e-12 in double.
-/// When not to use it: where `error()` is too large, as near total reflection, for indices close to 1, and for mirrors
-/// whose n + k is above 100; for polarisation, since it knows no fields; for indices that change from call to call, since
-/// the fit asks for hundreds of reflectances.
+/// through the values at Chebyshev nodes: a linear system for the coefficients. Where it has a zero next to a pole, as
+/// happens when it has more of them than there is to fit, one degree less is better; of four pairs of degrees the one with
+/// the least error is taken.
+///
+/// Range: any interface; what the fit is worth is measured when it is made, `error()`: 2e-7 in float and
+/// 1e-13 in double for metals at visible wavelengths, that is rounding, 1e-6 and 1e-12 for glasses.
+/// When not to use it: where `error()` is too large, as near total reflection or for indices close to 1; for polarisation,
+/// since it knows no fields; for indices that change from call to call, since the fit asks for hundreds of reflectances.
 
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/interface.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
+#include "vcavity/numbers/linear_system.hpp"
 #include "vcavity/numbers/number.hpp"
 #include "vcavity/numbers/pack.hpp"
 #include "vcavity/numbers/per_component.hpp"
@@ -39,49 +43,24 @@ class RationalFacet {
  public:
   using Real = scalar_t<Value>;
 
-  /// Of the polynomial; enough for metals that what is left is rounding.
-  static constexpr std::size_t degree = std::is_same_v<Real, float> ? 7 : 12;
+  /// Of both polynomials; enough for metals that what is left is rounding.
+  static constexpr std::size_t degree = std::is_same_v<Real, float> ? 4 : 7;
 
   /// @param facet an interface, whose values have as many components; best in double
   template <ContrastingFacet Facet>
   explicit RationalFacet(const Facet& facet) {
     using Exact = value_t<Facet, scalar_t<decltype(facet.permittivity())>>;
-    const auto contrast = detail::as_complex(facet.contrast());
     // What fills a vector register up beyond the components takes part in divisions, which are slow for denormals.
-    coefficients_.fill(Value(Real(0)));
-    for (std::size_t i = 0; i < component_count(pole_re_); ++i) {
-      const std::complex<double> pole =
-          detail::singular_cosines({static_cast<double>(component(contrast.re, i)),
-                                    static_cast<double>(component(contrast.im, i))})[0];
-      component(pole_re_, i) = static_cast<Real>(pole.real());
-      component(pole_im2_, i) = static_cast<Real>(pole.imag() * pole.imag());
-      const auto polynomial = interpolation([&](double cosine) {
-        const double reflectance =
-            static_cast<double>(component(facet(static_cast<scalar_t<Exact>>(cosine)), i));
-        const double off = cosine - static_cast<double>(component(pole_re_, i));
-        return reflectance * (off * off + static_cast<double>(component(pole_im2_, i)));
+    numerator_.fill(Value(Real(1)));
+    denominator_.fill(Value(Real(1)));
+    for (std::size_t i = 0; i < component_count(numerator_[0]); ++i) {
+      const Fraction fit = best_fit([&](double cosine) {
+        return static_cast<double>(component(facet(static_cast<scalar_t<Exact>>(cosine)), i));
       });
-      for (std::size_t k = 0; k <= degree; ++k)
-        component(coefficients_[k], i) = static_cast<Real>(polynomial[k]);
+      for (std::size_t k = 0; k <= degree; ++k) component(numerator_[k], i) = fit.numerator[k];
+      for (std::size_t k = 0; k < degree; ++k) component(denominator_[k], i) = fit.denominator[k];
+      error_ = at_least(fit.error, error_);
     }
-    // No reflectance exceeds 1, though the fit may by its error: the little that is too much is taken from all.
-    for_each_check([&](double cosine) {
-      const Value found = (*this)(static_cast<Real>(cosine));
-      for (std::size_t i = 0; i < component_count(found); ++i) {
-        const Real excess = at_least(component(found, i), Real(1));
-        for (Value& coefficient : coefficients_) component(coefficient, i) /= excess;
-      }
-    });
-    for_each_check([&](double cosine) {
-      const Value found = (*this)(static_cast<Real>(cosine));
-      const Exact expected = facet(static_cast<scalar_t<Exact>>(cosine));
-      for (std::size_t i = 0; i < component_count(found); ++i) {
-        const double difference =
-            std::fabs(static_cast<double>(component(found, i)) - static_cast<double>(component(expected, i)));
-        // What is no number is no small error.
-        if (!(difference <= error_)) error_ = std::isnan(difference) ? HUGE_VAL : difference;
-      }
-    });
   }
 
   /// The largest difference between this and the facet that it was made from, at 257 cosines;
@@ -93,17 +72,14 @@ class RationalFacet {
   template <CosineFor<Value> Cosine>
   VCAVITY_INLINE Value operator()(const Cosine& cos_theta_i) const {
     const Value c(cos_theta_i);
-    Value polynomial = coefficients_[degree];
-    for (std::size_t k = degree; k-- > 0;) polynomial = polynomial * c + coefficients_[k];
-    const Value off = c - pole_re_;
-    return polynomial / (off * off + pole_im2_);
+    return quotient(numerator_, denominator_, c);
   }
 
   /// The facet that reflects a part of what this one does, at the same cost.
   /// @param part in [0, 1], of each component
   RationalFacet dimmed(const Value& part) const {
     RationalFacet result = *this;
-    for (Value& coefficient : result.coefficients_) coefficient = part * coefficient;
+    for (Value& coefficient : result.numerator_) coefficient = part * coefficient;
     return result;
   }
 
@@ -112,9 +88,8 @@ class RationalFacet {
   VCAVITY_INLINE RationalFacet<Pack<Real, directions>> over_directions(std::size_t i) const {
     using Lanes = Pack<Real, directions>;
     RationalFacet<Lanes> result;
-    for (std::size_t k = 0; k <= degree; ++k) result.coefficients_[k] = Lanes(component(coefficients_[k], i));
-    result.pole_re_ = Lanes(component(pole_re_, i));
-    result.pole_im2_ = Lanes(component(pole_im2_, i));
+    for (std::size_t k = 0; k <= degree; ++k) result.numerator_[k] = Lanes(component(numerator_[k], i));
+    for (std::size_t k = 0; k < degree; ++k) result.denominator_[k] = Lanes(component(denominator_[k], i));
     result.error_ = error_;
     return result;
   }
@@ -123,45 +98,91 @@ class RationalFacet {
   template <class Other>
   friend class RationalFacet;
 
-  using Polynomial = std::array<double, degree + 1>;
+  /// Coefficients of P, and of Q without the first one, which is 1; in ascending order.
+  template <class Number>
+  using Numerator = std::array<Number, degree + 1>;
+  template <class Number>
+  using Denominator = std::array<Number, degree>;
+
+  struct Fraction {
+    Numerator<Real> numerator{};
+    Denominator<Real> denominator{};
+    double error = HUGE_VAL;
+  };
 
   RationalFacet() = default;
 
-  /// Calls `visit` with cosines crowded at grazing incidence, where the pole is near.
-  template <class Visit>
-  static void for_each_check(const Visit& visit) {
-    constexpr int checks = 256;
-    for (int check = 0; check <= checks; ++check) visit(std::pow(double(check) / checks, 4));
+  template <class Number>
+  VCAVITY_INLINE static Number quotient(const Numerator<Number>& above, const Denominator<Number>& below,
+                                        const Number& c) {
+    Number p = above[degree], q = below[degree - 1];
+    for (std::size_t k = degree; k-- > 0;) p = p * c + above[k];
+    for (std::size_t k = degree - 1; k-- > 0;) q = q * c + below[k];
+    q = q * c + Number(Real(1));
+    return p / q;
   }
 
-  /// The polynomial through the values of a function at the Chebyshev nodes of [0, 1], by Newton's divided
-  /// differences.
-  template <class Function>
-  static Polynomial interpolation(const Function& function) {
-    Polynomial nodes, differences;
-    for (std::size_t k = 0; k <= degree; ++k) {
-      // Every third node first: so the products of Newton's form stay of one size.
-      static_assert((degree + 1) % 3 != 0, "each node once");
-      const double place = static_cast<double>(3 * k % (degree + 1)) + 0.5;
-      nodes[k] = 0.5 - 0.5 * std::cos(pi<double>() * place / static_cast<double>(degree + 1));
-      differences[k] = function(nodes[k]);
-    }
-    for (std::size_t order = 1; order <= degree; ++order)
-      for (std::size_t k = degree; k >= order; --k)
-        differences[k] = (differences[k] - differences[k - 1]) / (nodes[k] - nodes[k - order]);
-    Polynomial result{};
-    for (std::size_t k = degree + 1; k-- > 0;) {
-      // result · (c − nodes[k]) + differences[k]
-      for (std::size_t power = degree; power > 0; --power)
-        result[power] = result[power - 1] - nodes[k] * result[power];
-      result[0] = differences[k] - nodes[k] * result[0];
-    }
-    return result;
+  /// The cosine of a check, crowded at grazing incidence, where the poles are near.
+  static constexpr int checks = 256;
+  static Real check_cosine(int check) { return static_cast<Real>(std::pow(double(check) / checks, 4)); }
+
+  /// The best of the fits to a reflectance.
+  template <class Reflectance>
+  static Fraction best_fit(const Reflectance& reflectance) {
+    Fraction best;
+    for (const std::size_t above : {degree, degree - 1})
+      for (const std::size_t below : {degree, degree - 1}) {
+        const Fraction fit = interpolation(reflectance, above, below);
+        // What is no number is no small error.
+        if (fit.error < best.error) best = fit;
+      }
+    return best;
   }
 
-  std::array<Value, degree + 1> coefficients_;  // of P, in ascending order
-  Value pole_re_{0};
-  Value pole_im2_{0};
+  /// The quotient of polynomials of these degrees through the values of a reflectance at the Chebyshev nodes of [0, 1].
+  template <class Reflectance>
+  static Fraction interpolation(const Reflectance& reflectance, std::size_t above, std::size_t below) {
+    // 1 − R = c A(c)/Q(c) at the nodes; P = Q − c A.
+    const std::size_t size = above + below;
+    SquareMatrix<double> equations(size);
+    std::vector<double> lost(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double c =
+          0.5 - 0.5 * std::cos(pi<double>() * (static_cast<double>(i) + 0.5) / static_cast<double>(size));
+      lost[i] = 1 - reflectance(c);
+      double power = 1;
+      for (std::size_t k = 0; k < degree; ++k) {
+        power *= c;
+        if (k < above) equations[i][k] = power;
+        if (k < below) equations[i][above + k] = -lost[i] * power;
+      }
+    }
+    const std::vector<double> solution = LuFactors<double>(std::move(equations)).solve(std::move(lost));
+    Fraction fit;
+    fit.numerator[0] = Real(1);
+    for (std::size_t k = 0; k < degree; ++k) {
+      const double q = k < below ? solution[above + k] : 0;
+      const double a = k < above ? solution[k] : 0;
+      fit.numerator[k + 1] = static_cast<Real>(q - a);
+      fit.denominator[k] = static_cast<Real>(q);
+    }
+    // No reflectance exceeds 1, though the fit may by its error: the little that is too much is taken from all.
+    Real highest(1);
+    for (int check = 0; check <= checks; ++check)
+      highest = at_least(quotient(fit.numerator, fit.denominator, check_cosine(check)), highest);
+    for (Real& coefficient : fit.numerator) coefficient /= highest;
+    fit.error = 0;
+    for (int check = 0; check <= checks; ++check) {
+      const Real c = check_cosine(check);
+      const double difference = std::fabs(static_cast<double>(quotient(fit.numerator, fit.denominator, c)) -
+                                          reflectance(static_cast<double>(c)));
+      if (!(difference <= fit.error)) fit.error = std::isnan(difference) ? HUGE_VAL : difference;
+    }
+    return fit;
+  }
+
+  Numerator<Value> numerator_;
+  Denominator<Value> denominator_;
   double error_ = 0;
 };
 

@@ -95,8 +95,32 @@ class Pack {
       return !mask.holds_for_any([](const auto& x) { return !x; });
     }
 
+    /// A number of which bit i is set where component i holds; of packs of as many components as a component has bits,
+    /// or fewer.
+    VCAVITY_INLINE friend std::uint64_t bits_of(const Mask& mask) {
+      static_assert(size <= 8 * sizeof(Real), "a bit for each component");
+      return mask.bits(std::make_index_sequence<width>());
+    }
+
    private:
     friend class Pack;
+
+    template <std::size_t... lane>
+    VCAVITY_INLINE std::uint64_t bits(std::index_sequence<lane...>) const {
+      if constexpr (width == 1) {
+        std::uint64_t result = 0;
+        for (std::size_t i = 0; i < size; ++i) result |= std::uint64_t(registers_[i] ? 1 : 0) << i;
+        return result;
+      } else {
+        using Bits = std::remove_cvref_t<decltype(registers_[0])>;
+        using Word = std::remove_cvref_t<decltype(registers_[0][0])>;
+        const auto bit = [](std::size_t i) { return i < size ? static_cast<Word>(Word(1) << i) : Word(0); };
+        Bits found = registers_[0] & Bits{bit(lane)...};
+        for (std::size_t i = 1; i < registers; ++i) found |= registers_[i] & Bits{bit(i * width + lane)...};
+        const std::uint64_t word = combined_words(found);
+        return sizeof(Word) == 4 ? (word | word >> 32) & 0xffffffffu : word;
+      }
+    }
 
     /// Whether a component of what `bits` makes of the mask is set.
     template <class Bits>
@@ -112,22 +136,22 @@ class Pack {
       } else {
         auto found = bits(registers_[0]);
         for (std::size_t i = 1; i < registers; ++i) found |= bits(registers_[i]);
-        return any_bit(found);
+        return combined_words(found) != 0;
       }
     }
 
-    /// Whether a bit is set; halves are combined until they fit into a word.
+    /// All words of 64 bits or'ed, halves at a time.
     template <class Bits>
-    VCAVITY_INLINE static bool any_bit(const Bits& bits) {
+    VCAVITY_INLINE static std::uint64_t combined_words(const Bits& bits) {
       if constexpr (sizeof bits <= sizeof(std::uint64_t)) {
         std::uint64_t word = 0;
         std::memcpy(&word, &bits, sizeof bits);
-        return word != 0;
+        return word;
       } else {
         typedef std::uint64_t Half VCAVITY_VECTOR(sizeof bits / 2);
         Half halves[2];
         std::memcpy(halves, &bits, sizeof bits);
-        return any_bit(halves[0] | halves[1]);
+        return combined_words(halves[0] | halves[1]);
       }
     }
 

@@ -108,7 +108,8 @@ Omissions worst_rough_omissions(const Distribution& distribution, const Facet& f
 
 /// The cheapest plan for a rough surface of one facet material.
 ///
-/// The tolerance is shared equally among polarisation and bounces. Rounding is not planned: the relative error of
+/// The tolerance is shared equally among polarisation and bounces; what polarisation leaves of its share, once it is not
+/// followed, the bounces get too. So a looser tolerance never asks for more. Rounding is not planned: the relative error of
 /// a BRDF in float is some 1e-6, and weights of samples carry no more.
 ///
 /// @param distribution of the slopes
@@ -127,8 +128,9 @@ EffectsPlan plan_rough_effects(const Distribution& distribution, const Facet& fa
     plan.polarization = false;
     plan.bounds.polarization = error;
   }
+  const double rest = plan.polarization ? share : tolerance - plan.bounds.polarization;
   for (std::size_t most = 1; most <= detail::longest_cutoff; ++most) {
-    if (errors[most - 1] > share) continue;
+    if (errors[most - 1] > rest) continue;
     plan.max_bounces = static_cast<int>(most);
     plan.bounds.bounces = errors[most - 1];
     break;

@@ -5,18 +5,17 @@
 ///
 /// Bounce i has the angle of incidence k − (i − ½)α in the plane across the groove, k being the elevation of the light
 /// above the panel that is met first: its cosine, times cos η, is that of the facet. So no bounce needs the one before
-/// it. Ways of up to eight bounces go side by side, one bounce of all ways of a batch after the other, whether there is
-/// such a way or not; ways of more bounces one after the other, eight bounces of one side by side. In both cases the
-/// facet is asked for eight directions at once, one component (colour) of its values after the other.
+/// it. Ways of up to four bounces go side by side, one bounce of all of them after the other, whether there is such a way
+/// or not. Of longer ways there are few, and they come in pairs (`WayPair`): eight bounces of both go side by side. What
+/// is reflected does not wait for what else is known of a groove, so that the processor does both at the same time. In
+/// both cases the facet is asked for many directions at once, one component (colour) of its values after the other.
 ///
 /// When not to use it: for facets that do not have `over_directions<n>(component)`, such as polarised ones, whose
 /// values are no packs of numbers; `RoughGrooveBsdf` follows these bounce by bounce.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/numbers/acute_angles.hpp"
@@ -66,25 +65,25 @@ VCAVITY_INLINE Value value_of(const Components& components) {
 
 }  // namespace detail
 
-/// The directions at the bounces of a batch of ways, bounce by bounce, whether there is such a way or not.
-/// @tparam least number of bounces of the first pair of lanes
-template <class Real, int least>
+/// The cosines of incidence at the bounces of the ways of one to four bounces, bounce by bounce, whether there is such a
+/// way or not.
+template <class Real>
 class BounceRows {
  public:
   using Batch = GrooveBatch<Real>;
   using Lanes = typename Batch::Lanes;
-  static constexpr std::size_t lanes = Batch::capacity;
 
-  /// @param to_light the direction towards the light in the frame of the grooves
-  /// @param batch the grooves
-  VCAVITY_INLINE BounceRows(const Vec3<Real>& to_light, const Batch& batch) {
-    const Lanes over_panel = to_light.y * Batch::sides();
-    rows_[0] = {to_light.z * batch.sin_half + batch.cos_half * over_panel,
-                to_light.z * batch.cos_half - batch.sin_half * over_panel};
-    turn_from<1>(batch.sin_half, batch.cos_half);
-    // The first bounces are those of every way; of the last three, each has two ways less. Where a way has none of
-    // these, there is room for the very last.
-    beyond_ = select(has(1), rows_[least].normal, rows_[least + 2].normal.template rearranged<from_end>());
+  /// @param grooves what the batch is of
+  /// @param first the batch of these ways
+  VCAVITY_INLINE BounceRows(const ConnectingGrooves<Real>& grooves, const Batch& first)
+      : cos_eta_(grooves.cos_eta()), elevation_(first.elevation) {
+    const Lanes aperture = Real(2) * first.half_aperture;
+    // The single bounce has its cosine even in the mirror direction.
+    first_ = select(has(2), cosine(Lanes(Real(0.5)), aperture), Lanes(grooves.cosine_of_first()));
+    // The ways of one bounce have no second one: there is room for the fourth one of the ways of four.
+    second_or_fourth_ = cosine(select(has(2), Lanes(Real(1.5)), Lanes(Real(3.5))),
+                               select(has(2), aperture, aperture.template rearranged<from_end>()));
+    third_ = cosine(Lanes(Real(2.5)), aperture);
   }
 
   /// The light that is left of each way.
@@ -92,50 +91,28 @@ class BounceRows {
   /// @param white what goes each way for facets that reflect all light
   template <class Facet>
   VCAVITY_INLINE Lanes left_of(const Facet& facet, const Lanes& white) const {
-    return left_of(facet, white, std::make_index_sequence<least>());
+    const Lanes one(Real(1)), second_or_fourth = facet(second_or_fourth_);
+    const Lanes early = facet(first_) * select(has(2), second_or_fourth, one);
+    const Lanes late = select(has(3), facet(third_), one) *
+                       select(has(4), second_or_fourth.template rearranged<to_end>(), one);
+    return white * (early * late);
   }
 
  private:
-  /// A direction in components along the normal of an image and along its panel.
-  struct Direction {
-    Lanes normal, tangent;
-  };
-
-  static constexpr std::size_t bounces = least + 3;
-  static constexpr std::array<std::size_t, lanes> from_end{6, 7, 0, 1, 2, 3, 4, 5},
+  static constexpr std::array<std::size_t, Batch::capacity> from_end{6, 7, 0, 1, 2, 3, 4, 5},
       to_end{2, 3, 4, 5, 6, 7, 0, 1};
 
-  /// Turns the directions that are known by as many apertures, from image to image.
-  template <std::size_t known>
-  VCAVITY_INLINE void turn_from(const Lanes& half_sine, const Lanes& half_cosine) {
-    if constexpr (known < bounces) {
-      const Lanes sine = Real(2) * half_sine * half_cosine;
-      const Lanes cosine = Lanes(Real(1)) - Real(2) * half_sine * half_sine;
-      turn<known>(sine, cosine, std::make_index_sequence<std::min(known, bounces - known)>());
-      turn_from<2 * known>(sine, cosine);
-    }
-  }
-  // Without loops, compilers keep rows in registers.
-  template <std::size_t known, std::size_t... i>
-  VCAVITY_INLINE void turn(const Lanes& sine, const Lanes& cosine, std::index_sequence<i...>) {
-    ((rows_[known + i] = {cosine * rows_[i].normal + sine * rows_[i].tangent,
-                          cosine * rows_[i].tangent - sine * rows_[i].normal}),
-     ...);
+  /// Where ways have so many bounces.
+  VCAVITY_INLINE static auto has(int bounces) { return Batch::lane_numbers() >= Real(2 * (bounces - 1)); }
+
+  /// @param number of the bounce, less ½
+  VCAVITY_INLINE Lanes cosine(const Lanes& number, const Lanes& aperture) const {
+    return cos_eta_ * detail::acute_cosine(Lanes(elevation_ - number * aperture));
   }
 
-  template <class Facet, std::size_t... i>
-  VCAVITY_INLINE Lanes left_of(const Facet& facet, const Lanes& white, std::index_sequence<i...>) const {
-    const Lanes one(Real(1)), beyond = facet(beyond_);
-    const Lanes last = select(has(3), white * beyond.template rearranged<to_end>(), white) *
-                       select(has(2), facet(rows_[least + 1].normal), one);
-    return (last * ... * facet(rows_[i].normal)) * select(has(1), beyond, one);
-  }
-
-  /// Where ways have so many bounces beyond the first ones.
-  VCAVITY_INLINE static auto has(int further) { return Batch::lane_numbers() >= Real(2 * further); }
-
-  std::array<Direction, bounces> rows_;
-  Lanes beyond_;
+  Real cos_eta_;
+  Lanes elevation_;
+  Lanes first_, second_or_fourth_, third_;
 };
 
 /// Light that goes through several grooves, lane by lane.
@@ -146,13 +123,6 @@ struct LightInLanes {
 
   std::array<Lanes, components> light;  ///< each component
   Lanes white;                          ///< the same for facets that reflect all light
-
-  VCAVITY_INLINE friend LightInLanes operator+(const LightInLanes& a, const LightInLanes& b) {
-    LightInLanes sum;
-    for (std::size_t c = 0; c < components; ++c) sum.light[c] = a.light[c] + b.light[c];
-    sum.white = a.white + b.white;
-    return sum;
-  }
 
   /// All of it.
   template <class Value>
@@ -165,84 +135,110 @@ struct LightInLanes {
   }
 };
 
-/// The light of a batch of ways of few bounces.
-/// @tparam least number of bounces of the first pair of lanes
+/// The light of the ways of one to four bounces.
 /// @param facet facet reflectance
-/// @param to_light the direction towards the light in the frame of the grooves
-/// @param batch the grooves
-/// @param white what goes through each for facets that reflect all light
-template <int least, class Real, ComponentsOverDirections<Real> Facet>
-VCAVITY_INLINE auto light_of_short_ways(const Facet& facet, const Vec3<Real>& to_light,
-                                        const GrooveBatch<Real>& batch,
+/// @param grooves what the batch is of
+/// @param first the batch of these ways
+/// @param white what goes each way for facets that reflect all light
+template <class Real, ComponentsOverDirections<Real> Facet>
+VCAVITY_INLINE auto light_of_short_ways(const Facet& facet, const ConnectingGrooves<Real>& grooves,
+                                        const GrooveBatch<Real>& first,
                                         const typename GrooveBatch<Real>::Lanes& white) {
-  using Rows = BounceRows<Real, least>;
-  constexpr std::size_t components = number_count<value_t<Facet, Real>>;
-  const Rows rows(to_light, batch);
-  LightInLanes<Real, components> result;
-  for (std::size_t c = 0; c < components; ++c)
-    result.light[c] = rows.left_of(facet.template over_directions<Rows::lanes>(c), white);
+  const BounceRows<Real> rows(grooves, first);
+  LightInLanes<Real, number_count<value_t<Facet, Real>>> result;
+  for (std::size_t c = 0; c < result.light.size(); ++c)
+    result.light[c] = rows.left_of(facet.template over_directions<GrooveBatch<Real>::capacity>(c), white);
   result.white = white;
   return result;
 }
 
-/// Adds the light of a batch, two ways at a time.
-/// @param sum what it is added to
-/// @param facet facet reflectance
-/// @param cos_eta cos η, the length of the direction of the light in the plane across the groove
-/// @param batch the grooves
-/// @param white what goes through each for facets that reflect all light
-template <class Real, ComponentsOverDirections<Real> Facet>
-VCAVITY_NOINLINE void add_long_ways(value_t<Facet, Real>& sum, const Facet& facet, Real cos_eta,
-                                    const GrooveBatch<Real>& batch,
-                                    const typename GrooveBatch<Real>::Lanes& white) {
+/// Eight bounces of two ways side by side, in lanes that alternate between the ways.
+template <class Real>
+class PairBounces {
+ public:
   using Batch = GrooveBatch<Real>;
   using Lanes = typename Batch::Lanes;
-  constexpr std::size_t lanes = Batch::capacity;
-  constexpr std::size_t components = number_count<value_t<Facet, Real>>;
-  using Two = Pack<Real, 2 * lanes>;
-  std::array<std::size_t, lanes + 1> ways;
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    ways[count] = lane;
-    count += white[lane] > Real(0) ? 1 : 0;
+  static constexpr std::size_t bounces = Batch::capacity;
+  using Two = Pack<Real, 2 * bounces>;
+
+  /// The first eight.
+  /// @param cos_eta cos η
+  /// @param ways the ways
+  VCAVITY_INLINE PairBounces(const Real& cos_eta, const WayPair<Real>& ways)
+      : cos_eta_(cos_eta), elevation_(ways.elevation), number_(Two::load(of_bounces.data())) {
+    const Lanes ends = alternating(Real(ways.bounces), Real(ways.bounces + 2));
+    ends_ = twice(ends);
+    aperture_ = twice(Lanes(ways.sweep) / ends);
   }
-  ways[count] = 0;
-  // Added up by themselves, as their densities are: so that the light does not exceed these by rounding.
-  value_t<Facet, Real> of_batch(0);
-  const auto both = [](const Real& first, const Real& second) {
-    return Two(std::array{Lanes(first), Lanes(second)});
-  };
-  for (std::size_t way = 0; way < count; way += 2) {
-    // Where there is no second way, any will do, without light.
-    const std::size_t a = ways[way], b = ways[way + 1];
-    const Real bounces_b = way + 1 < count ? batch.bounces[b] : Real(0);
-    const Two bounces = both(batch.bounces[a], bounces_b);
-    const Two elevation = both(batch.elevation[a], batch.elevation[b]);
-    const Two aperture = both(Real(2) * batch.half_aperture[a], Real(2) * batch.half_aperture[b]);
-    Two number(std::array{Batch::lane_numbers(), Batch::lane_numbers()});
-    number = number + Two(Real(0.5));  // of the bounce, less ½
-    std::array<Two, components> products;
-    products.fill(Two(Real(1)));
-    const Real most = at_least(Real(batch.bounces[a]), bounces_b);
-    for (Real done(0); done < most; done += Real(static_cast<int>(lanes))) {
-      const auto exists = bounces > number;
-      const Two angle = select(exists, elevation - aperture * number, Two(Real(0)));
-      const Two incidence = cos_eta * detail::acute_cosine(angle);
-      for (std::size_t c = 0; c < components; ++c) {
-        const Two reflectance = facet.template over_directions<2 * lanes>(c)(incidence);
-        products[c] = select(exists, products[c] * reflectance, products[c]);
-      }
-      number = number + Two(Real(static_cast<int>(lanes)));
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-      std::array<Lanes, components> half;
-      for (std::size_t c = 0; c < components; ++c) half[c] = products[c].template slice<lanes>(i);
-      const Real light = i == 0 ? white[a] : way + 1 < count ? white[b] : Real(0);
-      const auto throughput = detail::combined_lanes(detail::times, half);
-      of_batch = of_batch + scaled(light, detail::value_of<value_t<Facet, Real>>(throughput));
-    }
+
+  /// Goes on to the next eight.
+  VCAVITY_INLINE void advance() { number_ = number_ + Two(Real(static_cast<int>(bounces))); }
+
+  /// Where there is such a bounce.
+  VCAVITY_INLINE auto exist() const { return ends_ > number_; }
+
+  /// The cosines of incidence; 0 where there is no bounce.
+  VCAVITY_INLINE Two cosines() const {
+    return cos_eta_ *
+           detail::acute_cosine(select(exist(), Two(elevation_) - aperture_ * number_, Two(Real(0))));
   }
-  sum = sum + of_batch;
+
+  /// Numbers of the two ways in turn.
+  VCAVITY_INLINE static Lanes alternating(const Real& first, const Real& second) {
+    return select(Batch::sides() > Real(0), Lanes(first), Lanes(second));
+  }
+
+  /// The products over the bounces of each way, in lanes that alternate between the ways.
+  VCAVITY_INLINE static Lanes combined(const Two& factors) {
+    const Lanes four = factors.template slice<bounces>(0) * factors.template slice<bounces>(1);
+    const Lanes two = four * four.template rearranged<by_four>();
+    return two * two.template rearranged<by_two>();
+  }
+
+ private:
+  static constexpr std::array of_bounces{0.5f, 0.5f, 1.5f, 1.5f, 2.5f, 2.5f, 3.5f, 3.5f,
+                                         4.5f, 4.5f, 5.5f, 5.5f, 6.5f, 6.5f, 7.5f, 7.5f};
+  static constexpr std::array<std::size_t, bounces> by_four{4, 5, 6, 7, 0, 1, 2, 3},
+      by_two{2, 3, 0, 1, 6, 7, 4, 5};
+
+  VCAVITY_INLINE static Two twice(const Lanes& x) { return Two(std::array{x, x}); }
+
+  Real cos_eta_, elevation_;
+  Two number_;  // of the bounce, less ½
+  Two ends_;    // how many bounces there are
+  Two aperture_;
+};
+
+/// Adds the light of two ways.
+/// @param light what it is added to, in the first two lanes
+/// @param facet facet reflectance
+/// @param cos_eta cos η, the length of the direction of the light in the plane across the groove
+/// @param ways the ways
+/// @param white what goes each way for facets that reflect all light
+template <class Real, ComponentsOverDirections<Real> Facet, std::size_t components>
+VCAVITY_INLINE void add_pair(LightInLanes<Real, components>& light, const Facet& facet, const Real& cos_eta,
+                             const WayPair<Real>& ways, const std::array<Real, 2>& white) {
+  using Bounces = PairBounces<Real>;
+  using Lanes = typename Bounces::Lanes;
+  using Two = typename Bounces::Two;
+  constexpr std::size_t width = 2 * Bounces::bounces;
+  Bounces bounces(cos_eta, ways);
+  std::array<Two, components> products;
+  const Two cosines = bounces.cosines();
+  for (std::size_t c = 0; c < components; ++c)
+    products[c] = select(bounces.exist(), facet.template over_directions<width>(c)(cosines), Two(Real(1)));
+  for (int done = Bounces::bounces; done < ways.bounces + 2; done += static_cast<int>(Bounces::bounces)) {
+    bounces.advance();
+    const Two further = bounces.cosines();
+    for (std::size_t c = 0; c < components; ++c)
+      products[c] = select(bounces.exist(), products[c] * facet.template over_directions<width>(c)(further),
+                           products[c]);
+  }
+  const Lanes white_lanes = select(Lanes(Real(2)) > GrooveBatch<Real>::lane_numbers(),
+                                   Bounces::alternating(white[0], white[1]), Lanes(Real(0)));
+  for (std::size_t c = 0; c < components; ++c)
+    light.light[c] = light.light[c] + white_lanes * Bounces::combined(products[c]);
+  light.white = light.white + white_lanes;
 }
 
 }  // namespace vcavity

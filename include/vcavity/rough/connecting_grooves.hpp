@@ -136,6 +136,9 @@ class ConnectingGrooves {
   /// BRDF × cosine of the light of one bounce per facet density D(m), for facets that reflect all light.
   VCAVITY_INLINE Real weight_of_first() const { return (Real(0.5) / e_.z) * (lit_of_first() * inverse_sum_); }
 
+  /// The cosine of incidence of the groove of one bounce.
+  VCAVITY_INLINE Real cosine_of_first() const { return Real(0.5) * sum_length_; }
+
   /// e · h and o · h, the components across the groove, times |h|.
   const Vec2<Real>& along_h() const { return along_h_; }
 

@@ -74,9 +74,9 @@ class EllipticSlopes {
   /// D(z) = 1/(π a_x a_y)
   Real peak() const { return peak_; }
 
-  /// q cos²θ_m
-  template <class Value>
-  Value stretched(const Vec3<Value>& m) const {
+  /// q cos²θ_m of a normal; of a horizontal unit vector q cos²θ_m/sin²θ_m for all normals that lean its way.
+  template <class Horizontal>
+  Real stretched(const Horizontal& m) const {
     return inverse_x2_ * (m.x * m.x) + inverse_y2_ * (m.y * m.y);
   }
 
@@ -110,14 +110,15 @@ class GgxSlopes : public detail::EllipticSlopes<Real> {
 
   /// D(m), per steradian.
   /// @param m unit vector, m.z ≥ 0
-  Real density(const Vec3<Real>& m) const { return densities(m); }
+  Real density(const Vec3<Real>& m) const { return of(this->stretched(m), m.z); }
 
-  /// The same of several normals at once.
-  /// @param m unit vectors, as numbers or packs, m.z ≥ 0
+  /// The same of several normals that lean one way.
+  /// @param across horizontal unit vector
+  /// @param cos_half, sin_half components of the normals along it and along z, packs, sin_half ≥ 0
   template <class Value>
-  VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
-    const Value spread = this->stretched(m) + m.z * m.z;
-    return Value(this->peak()) / (spread * spread);
+  VCAVITY_INLINE Value densities(const Vec2<Real>& across, const Value& cos_half,
+                                 const Value& sin_half) const {
+    return of(Value(this->stretched(across) * (cos_half * cos_half)), sin_half);
   }
 
   /// A normal of the density D(m) cos θ_m.
@@ -126,6 +127,15 @@ class GgxSlopes : public detail::EllipticSlopes<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
     using std::sqrt;
     return this->normal(sqrt(u.x), sqrt(Real(1) - u.x), u.y);
+  }
+
+ private:
+  /// @param stretched q cos²θ_m
+  /// @param up cos θ_m
+  template <class Value>
+  VCAVITY_INLINE Value of(const Value& stretched, const Value& up) const {
+    const Value spread = stretched + up * up;
+    return Value(this->peak()) / (spread * spread);
   }
 };
 
@@ -144,17 +154,15 @@ class BeckmannSlopes : public detail::EllipticSlopes<Real> {
 
   /// D(m), per steradian.
   /// @param m unit vector, m.z ≥ 0
-  Real density(const Vec3<Real>& m) const { return densities(m); }
+  Real density(const Vec3<Real>& m) const { return of(this->stretched(m), m.z); }
 
-  /// The same of several normals at once.
-  /// @param m unit vectors, as numbers or packs, m.z ≥ 0
+  /// The same of several normals that lean one way.
+  /// @param across horizontal unit vector
+  /// @param cos_half, sin_half components of the normals along it and along z, packs, sin_half ≥ 0
   template <class Value>
-  VCAVITY_INLINE Value densities(const Vec3<Value>& m) const {
-    // Multiplied twice, because the fourth power of a small cosine vanishes.
-    // Far below where it does, the exponential is 0 for every roughness, and nothing overflows.
-    const Value cosine2 = at_least(Value(m.z * m.z), Real(Real(1e13) * std::numeric_limits<Real>::min()));
-    const Value inverse = Value(Real(1)) / cosine2;
-    return this->peak() * detail::exponential(Value(-this->stretched(m) * inverse)) * inverse * inverse;
+  VCAVITY_INLINE Value densities(const Vec2<Real>& across, const Value& cos_half,
+                                 const Value& sin_half) const {
+    return of(Value(this->stretched(across) * (cos_half * cos_half)), sin_half);
   }
 
   /// A normal of the density D(m) cos θ_m.
@@ -165,6 +173,18 @@ class BeckmannSlopes : public detail::EllipticSlopes<Real> {
     using std::sqrt;
     const Real rest = at_least(Real(Real(1) - u.x), std::numeric_limits<Real>::min());
     return this->normal(sqrt(-log(rest)), Real(1), u.y);
+  }
+
+ private:
+  /// @param stretched q cos²θ_m
+  /// @param up cos θ_m
+  template <class Value>
+  VCAVITY_INLINE Value of(const Value& stretched, const Value& up) const {
+    // Multiplied twice, because the fourth power of a small cosine vanishes.
+    // Far below where it does, the exponential is 0 for every roughness, and nothing overflows.
+    const Value cosine2 = at_least(Value(up * up), Real(Real(1e13) * std::numeric_limits<Real>::min()));
+    const Value inverse = Value(Real(1)) / cosine2;
+    return this->peak() * detail::exponential(Value(-(stretched * inverse))) * inverse * inverse;
   }
 };
 

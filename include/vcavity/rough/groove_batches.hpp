@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/numbers/acute_angles.hpp"
@@ -56,6 +57,14 @@ struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
   }
 };
 
+/// Two ways with the same panel met first, of numbers of bounces two apart.
+template <class Real>
+struct WayPair {
+  Real elevation;  ///< of the light above the panel that is met first, in the plane across the groove
+  Real sweep;      ///< jα, the same for both ways
+  int bounces;     ///< of the first way; the second one has two more
+};
+
 /// All grooves that lead light from one direction into another, in batches: the first one, and then those of
 /// `second`, `second` + 4, … bounces for as long as these `reach` so far.
 template <class Real>
@@ -81,6 +90,18 @@ class GrooveBatches {
   /// @param least number of bounces of its first pair of lanes; odd and above 1
   VCAVITY_INLINE bool reach(int least) const {
     return least <= max_bounces_ && any_of(series_.have(bounces_from(least)));
+  }
+
+  /// The same, and in which lanes of the first half: bit s for lane s, with s < 4. Lane s + 4 has the same ways with two
+  /// bounces more, so there is one in it at most where there is one in lane s.
+  VCAVITY_INLINE std::uint64_t lanes_reached(int least) const {
+    constexpr std::uint64_t first_half = (1u << Batch::bounce_counts) - 1;
+    return least <= max_bounces_ ? bits_of(series_.have(bounces_from(least))) & first_half : 0;
+  }
+
+  /// The two ways of a lane of the first half of a batch and of the lane half a batch on.
+  VCAVITY_INLINE WayPair<Real> pair(int least, std::size_t lane) const {
+    return {series_.elevation()[lane], series_.sweep()[lane], least + static_cast<int>(lane / 2)};
   }
 
   /// The batch of one to four bounces.

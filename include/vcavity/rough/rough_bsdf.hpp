@@ -29,7 +29,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -164,15 +166,10 @@ class RoughGrooveBsdf {
       if (result.pdf > Real(0)) result.value = term(grooves, first, result.pdf);
     } else {
       const GrooveBatches<Real> batches(grooves, max_bounces_);
-      int least = GrooveBatches<Real>::second;
-      if constexpr (ComponentsOverDirections<Facet, Real>) {
-        result = short_ways(grooves, batches);
-        least += GrooveBatch<Real>::bounce_counts;
-      } else {
-        add(result, grooves, batches.first());
-      }
-      for (; batches.reach(least); least += GrooveBatch<Real>::bounce_counts)
-        add(result, grooves, batches.from(least));
+      if constexpr (ComponentsOverDirections<Facet, Real>)
+        result = all_ways(grooves, batches);
+      else
+        result = one_by_one(grooves, batches);
     }
     const Real long_ways = density_of_long_ways(grooves);
     if (long_ways > Real(0)) {
@@ -259,48 +256,66 @@ class RoughGrooveBsdf {
   VCAVITY_INLINE Lanes facet_densities(const ConnectingGrooves<Real>& grooves,
                                        const GrooveBatch<Real>& batch) const {
     const Vec2<Real>& across = grooves.across();
-    const Vec3<Lanes> normals{across.x * batch.cos_half, across.y * batch.cos_half, batch.sin_half};
-    if constexpr (requires { distribution_.densities(normals); }) {
-      return distribution_.densities(normals);
+    if constexpr (requires { distribution_.densities(across, batch.cos_half, batch.sin_half); }) {
+      return distribution_.densities(across, batch.cos_half, batch.sin_half);
     } else {
       Lanes result(Real(0));
       for (std::size_t lane = 0; lane < batch.capacity; ++lane)
-        if (batch.beam[lane] > Real(0))
-          result[lane] = distribution_.density({normals.x[lane], normals.y[lane], normals.z[lane]});
+        if (batch.beam[lane] > Real(0)) result[lane] = distribution_.density(grooves.normal(batch[lane]));
       return result;
     }
   }
 
-  /// What goes through the first two batches.
-  VCAVITY_INLINE BsdfEvaluation<Real, Value> short_ways(const ConnectingGrooves<Real>& grooves,
-                                                        const GrooveBatches<Real>& batches) const {
-    constexpr int second = GrooveBatches<Real>::second;
+  /// What goes all ways, several at a time.
+  VCAVITY_INLINE BsdfEvaluation<Real, Value> all_ways(const ConnectingGrooves<Real>& grooves,
+                                                      const GrooveBatches<Real>& batches) const {
     const GrooveBatch<Real> first = batches.first();
     const Lanes white = densities(grooves, first, Real(0));
-    if (max_bounces_ < second)
-      return light_of_short_ways<1>(facet_, grooves.to_light(), first, white).template sum<Value>();
-    const bool may_count = batches.reach(second);
-    auto light = light_of_short_ways<1>(facet_, grooves.to_light(), first, white);
-    if (may_count) {
-      const GrooveBatch<Real> further = batches.from(second);
-      const Lanes more = densities(grooves, further, white[0]);
-      if (any_of(more > Real(0)))
-        light = light + light_of_short_ways<second>(facet_, grooves.to_light(), further, more);
+    const bool has_long_ways = batches.reach(batches.second);
+    const auto sum = light_of_short_ways(facet_, grooves, first, white).template sum<Value>();
+    if (!has_long_ways) return sum;
+    const auto more = long_ways(grooves, batches, white[0]);
+    return {sum.value + more.value, sum.pdf + more.pdf};
+  }
+
+  /// What goes the ways of more than four bounces. Not inlined: the registers that it takes would not be there for the
+  /// others.
+  /// @param first what goes the way of one bounce, for facets that reflect all light
+  VCAVITY_NOINLINE BsdfEvaluation<Real, Value> long_ways(const ConnectingGrooves<Real>& grooves,
+                                                         const GrooveBatches<Real>& batches,
+                                                         Real first) const {
+    using Batch = GrooveBatch<Real>;
+    LightInLanes<Real, number_count<Value>> light;
+    light.light.fill(Lanes(Real(0)));
+    light.white = Lanes(Real(0));
+    for (int least = batches.second;; least += Batch::bounce_counts) {
+      std::uint64_t reached = batches.lanes_reached(least);
+      if (reached == 0) break;
+      const Lanes white = densities(grooves, batches.from(least), first);
+      if (!any_of(white > Real(0))) continue;
+      for (; reached != 0; reached &= reached - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(reached));
+        add_pair(light, facet_, grooves.cos_eta(), batches.pair(least, lane),
+                 {white[lane], white[lane + Batch::bounce_counts]});
+      }
     }
     return light.template sum<Value>();
   }
 
-  /// Adds what goes through a batch.
-  VCAVITY_INLINE void add(BsdfEvaluation<Real, Value>& sum, const ConnectingGrooves<Real>& grooves,
-                          const GrooveBatch<Real>& batch) const {
-    const Lanes white = densities(grooves, batch, sum.pdf);
-    if constexpr (ComponentsOverDirections<Facet, Real>) {
-      add_long_ways(sum.value, facet_, grooves.cos_eta(), batch, white);
-    } else {
+  /// The same, one way after the other.
+  BsdfEvaluation<Real, Value> one_by_one(const ConnectingGrooves<Real>& grooves,
+                                         const GrooveBatches<Real>& batches) const {
+    BsdfEvaluation<Real, Value> result{Value(0), Real(0)};
+    const auto add = [&](const GrooveBatch<Real>& batch) {
+      const Lanes white = densities(grooves, batch, result.pdf);
       for (std::size_t lane = 0; lane < batch.capacity; ++lane)
-        if (white[lane] > Real(0)) sum.value = sum.value + term(grooves, batch[lane], white[lane]);
-    }
-    sum.pdf += lane_sum(white);
+        if (white[lane] > Real(0)) result.value = result.value + term(grooves, batch[lane], white[lane]);
+      result.pdf += lane_sum(white);
+    };
+    add(batches.first());
+    for (int least = batches.second; batches.reach(least); least += GrooveBatch<Real>::bounce_counts)
+      add(batches.from(least));
+    return result;
   }
 
   VCAVITY_INLINE Real density_of_long_ways(const ConnectingGrooves<Real>& grooves) const {

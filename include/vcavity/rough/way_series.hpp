@@ -78,6 +78,12 @@ class WaySeries {
     half_turns_before_ = select(is_low, Value(Real(1)), Value(Real(2)));
   }
 
+  /// Elevation of the light above the panel that is met first.
+  VCAVITY_INLINE const Value& elevation() const { return from_; }
+
+  /// jα, how far the light turns in the unfolded groove.
+  VCAVITY_INLINE const Value& sweep() const { return sum_; }
+
   /// Ways of fewer bounces than this exist.
   Value most_bounces() const { return sum_ / at_least(slowest_, std::numeric_limits<Real>::min()); }
 
