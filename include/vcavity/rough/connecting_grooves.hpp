@@ -83,7 +83,7 @@ class ConnectingGrooves {
     const auto is_tilted = tilt_ > Real(0);
     scale_ = select(is_tilted, tilt_, Real(1));
     const Real inverse = Real(1) / scale_;
-    across_ = {h_x / scale_, select(is_tilted, Real(h_y / scale_), Real(1))};
+    across_ = {h_x * inverse, select(is_tilted, Real(h_y * inverse), Real(1))};
     e_ = in_groove(e);
     o_ = in_groove(o);
     // Of e_y and o_y the sum is |h|, and the difference follows from the heights, since e and o are of one length.
