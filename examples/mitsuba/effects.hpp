@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
@@ -20,26 +21,9 @@ struct Effects {
   bool polarization;
   int max_bounces = vcavity::all_bounces;
   bool double_precision = false;
-  /// On the radiance, for light of radiance 1; of what a plan leaves out.
-  vcavity::ErrorBounds bounds{0, 0, 0, 0};
+  /// Of all that a plan leaves out, on the radiance, for light of radiance 1; nothing where none is known.
+  std::optional<double> error_bound;
 };
-
-/// Adds what one more index or shape calls for.
-inline void include(Effects& effects, const vcavity::EffectsPlan& plan) {
-  effects.polarization |= plan.polarization;
-  effects.max_bounces = std::max(effects.max_bounces, plan.max_bounces);
-  effects.double_precision |= !plan.single_precision;
-  effects.bounds.polarization = std::max(effects.bounds.polarization, plan.bounds.polarization);
-  effects.bounds.bounces = std::max(effects.bounds.bounces, plan.bounds.bounces);
-  effects.bounds.rounding = std::max(effects.bounds.rounding, plan.bounds.rounding);
-}
-
-/// What is followed in the end costs no error.
-inline Effects settled(Effects effects) {
-  if (effects.polarization) effects.bounds.polarization = 0;
-  if (effects.max_bounces == vcavity::all_bounces) effects.bounds.bounces = 0;
-  return effects;
-}
 
 /// The plan of one shape and facet.
 template <class Shape, class Facet>
@@ -60,10 +44,24 @@ template <class Shape>
 Effects planned_effects(const std::vector<Shape>& shapes, std::span<const TintedIndex> materials,
                         double tolerance, bool polarized_light) {
   Effects effects{polarized_light, 1};
+  std::vector<vcavity::ErrorBounds> bounds;
   for (const Shape& shape : shapes)
-    for (const TintedIndex& material : materials)
-      include(effects, plan_of(shape, material.facet(), tolerance));
-  return settled(effects);
+    for (const TintedIndex& material : materials) {
+      const vcavity::EffectsPlan plan = plan_of(shape, material.facet(), tolerance);
+      effects.polarization |= plan.polarization;
+      effects.max_bounces = std::max(effects.max_bounces, plan.max_bounces);
+      effects.double_precision |= !plan.single_precision;
+      bounds.push_back(plan.bounds);
+    }
+  // What one calls for is followed for all, and costs none of them an error.
+  double largest_error = 0;
+  for (const vcavity::ErrorBounds& each : bounds) {
+    const double of_polarization = effects.polarization ? 0 : each.polarization;
+    const double of_bounces = effects.max_bounces == vcavity::all_bounces ? 0 : each.bounces;
+    largest_error = std::max(largest_error, of_polarization + of_bounces + each.rounding);
+  }
+  effects.error_bound = largest_error;
+  return effects;
 }
 
 /// A bound as it is printed, with two digits and not below what it is.
@@ -73,23 +71,17 @@ inline double rounded_up(double bound) {
   return unit * std::ceil(bound / unit);
 }
 
-/// What is followed, and a bound on what each omission costs, in words.
+/// What is followed, and a bound on what all omissions together cost, in words.
 inline std::string described(const Effects& effects) {
   std::ostringstream text;
   text.precision(2);
-  if (effects.polarization)
-    text << "polarisation followed";
-  else
-    text << "no polarisation";
-  if (effects.bounds.polarization > 0)
-    text << " (error below " << rounded_up(effects.bounds.polarization) << ")";
+  text << (effects.polarization ? "polarisation followed" : "no polarisation");
   if (effects.max_bounces == vcavity::all_bounces)
     text << ", all bounces";
   else
-    text << ", at most " << effects.max_bounces << (effects.max_bounces == 1 ? " bounce" : " bounces")
-         << " (error below " << rounded_up(effects.bounds.bounces) << ")";
+    text << ", at most " << effects.max_bounces << (effects.max_bounces == 1 ? " bounce" : " bounces");
   text << (effects.double_precision ? ", double" : ", single") << " precision";
-  if (effects.bounds.rounding > 0) text << " (error below " << rounded_up(effects.bounds.rounding) << ")";
+  if (effects.error_bound) text << " (error below " << rounded_up(*effects.error_bound) << ")";
   return text.str();
 }
 

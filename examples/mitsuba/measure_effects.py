@@ -98,9 +98,8 @@ def error_of(planned, reference, shape, light, samples):
 def chosen(bsdf):
     """What a plan follows, and its bound; None where it calls for fields that the variant does not follow."""
     text = next(line.split("=", 1)[1].strip(" ,") for line in str(bsdf).splitlines() if "effects =" in line)
-    bounds = [float(number) for number in re.findall(r"error below ([0-9.e+-]+)", text)]
-    bounded = "no polarisation," not in text
-    return re.sub(r" \(error below [^)]*\)", "", text), sum(bounds) if bounded else None
+    bound = re.search(r" \(error below ([0-9.e+-]+)\)", text)
+    return (text.replace(bound[0], ""), float(bound[1])) if bound else (text, None)
 
 
 def measure(variant, options):

@@ -414,6 +414,7 @@ class GrooveParameters {
           "variants",
           tolerance);
       effects.polarization = false;
+      effects.error_bound.reset();
     }
     constexpr int most = 4096;  // of RoughGrooveBsdf
     effects.max_bounces = std::min(effects.max_bounces, most);
