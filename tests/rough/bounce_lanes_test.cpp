@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <random>
 #include <vcavity/facet/fresnel.hpp>
 #include <vcavity/facet/rational_facet.hpp>
@@ -44,7 +46,37 @@ void check(const Distribution& distribution, const Facet& facet, double toleranc
   }
 }
 
+/// A mirror that cannot be asked beyond grazing incidence.
+struct OneSided {
+  template <class Cosine>
+  Cosine operator()(const Cosine& cosine) const {
+    if constexpr (Number<Cosine>) {
+      return cosine < Cosine(0) ? std::numeric_limits<Cosine>::infinity() : Cosine(1);
+    } else {
+      const Cosine infinite(std::numeric_limits<scalar_t<Cosine>>::infinity());
+      return select(cosine < scalar_t<Cosine>(0), infinite, Cosine(scalar_t<Cosine>(1)));
+    }
+  }
+  template <std::size_t directions>
+  OneSided over_directions(std::size_t) const {
+    return {};
+  }
+};
+
 }  // namespace
+
+TEST_CASE("facets are not asked beyond grazing incidence for ways that do not exist") {
+  const RoughGrooveBsdf bsdf(GgxSlopes<float>(1.0f), OneSided(), 32);
+  std::mt19937 random(20261127);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto any = [&] {
+    return Vec3<float>(direction(std::acos(unit(random)), 2 * pi<double>() * unit(random)));
+  };
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto [value, pdf] = bsdf.evaluate_with_pdf(any(), any());
+    REQUIRE(value == Approx(pdf).epsilon(1e-5));
+  }
+}
 
 TEST_CASE("ways followed side by side reflect what they do one bounce after the other") {
   using Rgb = Pack<float, 3>;

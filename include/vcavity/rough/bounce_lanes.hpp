@@ -37,7 +37,7 @@ template <class Real, std::size_t size, std::size_t most_bytes>
 inline constexpr std::size_t number_count<Pack<Real, size, most_bytes>> = size;
 
 /// A facet whose values are numbers or packs of them, of which every component can be had for several directions at
-/// once. Cosines that rounding has moved beyond 0 or 1 must do no harm there.
+/// once. Cosines that rounding has moved beyond 1 must do no harm there.
 template <class Facet, class Real>
 concept ComponentsOverDirections =
     number_count<value_t<Facet, Real>> > 0 && requires(const Facet& facet, std::size_t i) {
@@ -105,9 +105,10 @@ class BounceRows {
   /// Where ways have so many bounces.
   VCAVITY_INLINE static auto has(int bounces) { return Batch::lane_numbers() >= Real(2 * (bounces - 1)); }
 
+  /// Not below 0, also where there is no such way: beyond, a facet may be infinite, and 0 times that is no number.
   /// @param number of the bounce, less ½
   VCAVITY_INLINE Lanes cosine(const Lanes& number, const Lanes& aperture) const {
-    return cos_eta_ * detail::acute_cosine(Lanes(elevation_ - number * aperture));
+    return at_least(Lanes(cos_eta_ * detail::acute_cosine(Lanes(elevation_ - number * aperture))), Real(0));
   }
 
   Real cos_eta_;
@@ -177,10 +178,10 @@ class PairBounces {
   /// Where there is such a bounce.
   VCAVITY_INLINE auto exist() const { return ends_ > number_; }
 
-  /// The cosines of incidence; 0 where there is no bounce.
+  /// The cosines of incidence; any, but not below 0, where there is no bounce or no way.
   VCAVITY_INLINE Two cosines() const {
-    return cos_eta_ *
-           detail::acute_cosine(select(exist(), Two(elevation_) - aperture_ * number_, Two(Real(0))));
+    const Two angles = select(exist(), Two(elevation_) - aperture_ * number_, Two(Real(0)));
+    return at_least(Two(cos_eta_ * detail::acute_cosine(angles)), Real(0));
   }
 
   /// Numbers of the two ways in turn.
