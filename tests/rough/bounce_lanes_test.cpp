@@ -8,6 +8,8 @@
 #include <random>
 #include <vcavity/facet/fresnel.hpp>
 #include <vcavity/facet/rational_facet.hpp>
+#include <vcavity/polarization/full.hpp>
+#include <vcavity/polarization/mueller.hpp>
 #include <vcavity/rough/elliptic_slopes.hpp>
 #include <vcavity/rough/rough_bsdf.hpp>
 
@@ -75,6 +77,31 @@ TEST_CASE("facets are not asked beyond grazing incidence for ways that do not ex
   for (int trial = 0; trial < 2000; ++trial) {
     const auto [value, pdf] = bsdf.evaluate_with_pdf(any(), any());
     REQUIRE(value == Approx(pdf).epsilon(1e-5));
+  }
+}
+
+TEST_CASE(
+    "next to the mirror direction, where rounding turns the grooves, no facet reflects more than all light") {
+  using Rgb = Pack<float, 3>;
+  const Conductor<Rgb> metal(Rgb(std::array{0.16f, 0.12f, 0.14f}), Rgb(std::array{4.8f, 3.1f, 2.2f}));
+  const RoughGrooveBsdf fitted(GgxSlopes<float>(0.1f), RationalFacet<Rgb>(metal), 32);
+  const RoughGrooveBsdf exact(GgxSlopes<float>(0.1f), metal, 32);
+  const RoughGrooveBsdf polarised(GgxSlopes<float>(0.1f), polarized(Conductor<float>(0.14f, 2.2f)), 32);
+  std::mt19937 random(20261127);
+  std::uniform_real_distribution<float> unit(0, 1);
+  const auto moved = [&](float x) { return x * (1 + 2e-7f * (2 * unit(random) - 1)); };
+  for (int trial = 0; trial < 5000; ++trial) {
+    const float height = trial % 2 == 0 ? unit(random) : 1e-3f * unit(random);
+    const Vec3<float> e = direction(std::acos(height), 2 * pi<float>() * unit(random));
+    const Vec3<float> o{moved(-e.x), moved(-e.y), trial % 3 == 0 ? 0.8f * e.z : moved(e.z)};
+    CAPTURE(e.x, e.y, e.z, o.x, o.y, o.z);
+    const auto check = [](float light, float white) { REQUIRE(light <= white * (1 + 1e-6f)); };
+    const auto of_fit = fitted.evaluate_with_pdf(e, o);
+    check(largest(of_fit.value), of_fit.pdf);
+    const auto of_facet = exact.evaluate_with_pdf(e, o);
+    check(largest(of_facet.value), of_facet.pdf);
+    const auto of_fields = polarised.evaluate_with_pdf(e, o);
+    check(unpolarized(of_fields.value), of_fields.pdf);
   }
 }
 

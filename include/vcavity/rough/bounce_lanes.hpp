@@ -37,7 +37,7 @@ template <class Real, std::size_t size, std::size_t most_bytes>
 inline constexpr std::size_t number_count<Pack<Real, size, most_bytes>> = size;
 
 /// A facet whose values are numbers or packs of them, of which every component can be had for several directions at
-/// once. Cosines that rounding has moved beyond 1 must do no harm there.
+/// once. They are asked for cosines from 0 to 1, and some ε more.
 template <class Facet, class Real>
 concept ComponentsOverDirections =
     number_count<value_t<Facet, Real>> > 0 && requires(const Facet& facet, std::size_t i) {
@@ -167,9 +167,9 @@ class PairBounces {
   /// @param ways the ways
   VCAVITY_INLINE PairBounces(const Real& cos_eta, const WayPair<Real>& ways)
       : cos_eta_(cos_eta), elevation_(ways.elevation), number_(Two::load(of_bounces.data())) {
-    const Lanes ends = alternating(Real(ways.bounces), Real(ways.bounces + 2));
-    ends_ = twice(ends);
-    aperture_ = twice(Lanes(ways.sweep) / ends);
+    const Real first = Real(ways.bounces), second = Real(ways.bounces + 2);
+    ends_ = twice(alternating(first, ways.has_both ? second : Real(0)));
+    aperture_ = twice(Lanes(ways.sweep) / alternating(first, second));
   }
 
   /// Goes on to the next eight.
@@ -178,10 +178,10 @@ class PairBounces {
   /// Where there is such a bounce.
   VCAVITY_INLINE auto exist() const { return ends_ > number_; }
 
-  /// The cosines of incidence; any, but not below 0, where there is no bounce or no way.
+  /// The cosines of incidence; any where there is no bounce.
   VCAVITY_INLINE Two cosines() const {
-    const Two angles = select(exist(), Two(elevation_) - aperture_ * number_, Two(Real(0)));
-    return at_least(Two(cos_eta_ * detail::acute_cosine(angles)), Real(0));
+    return cos_eta_ *
+           detail::acute_cosine(select(exist(), Two(elevation_) - aperture_ * number_, Two(Real(0))));
   }
 
   /// Numbers of the two ways in turn.
@@ -228,7 +228,8 @@ VCAVITY_INLINE void add_pair(LightInLanes<Real, components>& light, const Facet&
   const Two cosines = bounces.cosines();
   for (std::size_t c = 0; c < components; ++c)
     products[c] = select(bounces.exist(), facet.template over_directions<width>(c)(cosines), Two(Real(1)));
-  for (int done = Bounces::bounces; done < ways.bounces + 2; done += static_cast<int>(Bounces::bounces)) {
+  const int most = ways.bounces + (ways.has_both ? 2 : 0);
+  for (int done = Bounces::bounces; done < most; done += static_cast<int>(Bounces::bounces)) {
     bounces.advance();
     const Two further = bounces.cosines();
     for (std::size_t c = 0; c < components; ++c)

@@ -93,7 +93,8 @@ class ConnectingGrooves {
     along_h_ = along(e, o, {h_x, h_y}, tilt2, drop);
     e_.y = select(is_tilted, Real(along_h_.x * inverse), e_.y);
     o_.y = select(is_tilted, Real(along_h_.y * inverse), o_.y);
-    cos_eta_ = sqrt(e_.y * e_.y + e_.z * e_.z);
+    // Next to the mirror direction the lengths of e and o are too inexact for e_y, which may come out above 1.
+    cos_eta_ = at_most(Real(sqrt(e_.y * e_.y + e_.z * e_.z)), Real(1));
     sum_length_ = sqrt(tilt2 + sum_z * sum_z);
     inverse_sum_ = Real(1) / sum_length_;
   }

@@ -57,12 +57,13 @@ struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
   }
 };
 
-/// Two ways with the same panel met first, of numbers of bounces two apart.
+/// Two ways with the same panel met first, of numbers of bounces two apart, or only the one of fewer.
 template <class Real>
 struct WayPair {
   Real elevation;  ///< of the light above the panel that is met first, in the plane across the groove
   Real sweep;      ///< jα, the same for both ways
-  int bounces;     ///< of the first way; the second one has two more
+  int bounces;     ///< of the first way
+  bool has_both;   ///< whether there is one of two bounces more
 };
 
 /// All grooves that lead light from one direction into another, in batches: the first one, and then those of
@@ -92,16 +93,17 @@ class GrooveBatches {
     return least <= max_bounces_ && any_of(series_.have(bounces_from(least)));
   }
 
-  /// The same, and in which lanes of the first half: bit s for lane s, with s < 4. Lane s + 4 has the same ways with two
-  /// bounces more, so there is one in it at most where there is one in lane s.
+  /// The same, and in which lanes: bit i for lane i. Lane i + 4 has the same ways as lane i with two bounces more, and so
+  /// one at most where lane i has one.
   VCAVITY_INLINE std::uint64_t lanes_reached(int least) const {
-    constexpr std::uint64_t first_half = (1u << Batch::bounce_counts) - 1;
-    return least <= max_bounces_ ? bits_of(series_.have(bounces_from(least))) & first_half : 0;
+    return least <= max_bounces_ ? bits_of(series_.have(bounces_from(least))) : 0;
   }
 
   /// The two ways of a lane of the first half of a batch and of the lane half a batch on.
-  VCAVITY_INLINE WayPair<Real> pair(int least, std::size_t lane) const {
-    return {series_.elevation()[lane], series_.sweep()[lane], least + static_cast<int>(lane / 2)};
+  /// @param reached the lanes that are reached
+  VCAVITY_INLINE WayPair<Real> pair(int least, std::size_t lane, std::uint64_t reached) const {
+    return {series_.elevation()[lane], series_.sweep()[lane], least + static_cast<int>(lane / 2),
+            (reached >> (lane + Batch::bounce_counts) & 1) != 0};
   }
 
   /// The batch of one to four bounces.

@@ -110,7 +110,7 @@ class LockstepRoughBsdf {
     };
     const auto [white, light] =
         Summation::template over<Real, Value>(Real(first_way), end_of(given), given, terms);
-    const Value value = scaled(first, surface_.facet()(first_cosine(grooves))) + light;
+    const Value value = scaled(first, surface_.facet()(grooves.cosine_of_first())) + light;
     const auto is_above = is_above_horizon(wo, wi);
     return {select(is_above, value, Value(0)), select(is_above, Real(first + white), Real(0))};
   }
@@ -177,12 +177,6 @@ class LockstepRoughBsdf {
   Real first_density(const ConnectingGrooves<Real>& grooves) const {
     const ConnectingGroove<Real> first = grooves.first();
     return grooves.density(first, surface_.slopes().density(grooves.normal(first)));
-  }
-
-  static Real first_cosine(const ConnectingGrooves<Real>& grooves) {
-    const ConnectingGroove<Real> first = grooves.first();
-    const Vec3<Real>& e = grooves.to_light();
-    return at_least(Real(first.sin_half * e.z + first.cos_half * e.y), Real(0));
   }
 
   /// The number behind the last way that exists.

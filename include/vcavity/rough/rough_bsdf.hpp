@@ -289,14 +289,15 @@ class RoughGrooveBsdf {
     light.light.fill(Lanes(Real(0)));
     light.white = Lanes(Real(0));
     for (int least = batches.second;; least += Batch::bounce_counts) {
-      std::uint64_t reached = batches.lanes_reached(least);
+      const std::uint64_t reached = batches.lanes_reached(least);
       if (reached == 0) break;
       const Lanes white = densities(grooves, batches.from(least), first);
       if (!any_of(white > Real(0))) continue;
-      for (; reached != 0; reached &= reached - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(reached));
-        add_pair(light, facet_, grooves.cos_eta(), batches.pair(least, lane),
-                 {white[lane], white[lane + Batch::bounce_counts]});
+      constexpr std::size_t half = Batch::bounce_counts;
+      for (std::uint64_t left = reached % (1u << half); left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        add_pair(light, facet_, grooves.cos_eta(), batches.pair(least, lane, reached),
+                 {white[lane], white[lane + half]});
       }
     }
     return light.template sum<Value>();
@@ -341,7 +342,8 @@ class RoughGrooveBsdf {
     Real tangent = groove.cos_half * e.z - groove.sin_half * over_panel;
     const Real sine = Real(2) * groove.sin_half * groove.cos_half;
     const Real cosine = Real(1) - Real(2) * groove.sin_half * groove.sin_half;
-    Bounce<Real> bounce{at_least(normal, Real(0)), tangent, e.x, groove.first_panel, 1};
+    const auto in_range = [](const Real& x) { return at_most(at_least(x, Real(0)), Real(1)); };
+    Bounce<Real> bounce{in_range(normal), tangent, e.x, groove.first_panel, 1};
     Throughput product = reflect(facet_, bounce);
     while (bounce.number < groove.bounces) {
       ++bounce.number;
@@ -349,7 +351,7 @@ class RoughGrooveBsdf {
       const Real turned = cosine * normal + sine * tangent;
       tangent = cosine * tangent - sine * normal;
       normal = turned;
-      bounce.cosine = at_least(normal, Real(0));
+      bounce.cosine = in_range(normal);
       bounce.tangent = tangent;
       bounce.panel = opposite(bounce.panel);
       product = product * reflect(facet_, bounce);
