@@ -118,7 +118,11 @@ class HalfApertureMultiples {
 
   /// Cosine and sine of kα/2, for any k ≥ 0.
   VCAVITY_INLINE Rotation<Real> at(std::int64_t k) const {
-    if (k <= tabulated_) return (*this)[k];
+    return k <= tabulated_ ? (*this)[k] : computed(k);
+  }
+
+  /// The same, best for those that are not kept.
+  VCAVITY_INLINE Rotation<Real> computed(std::int64_t k) const {
     using std::cos;
     using std::sin;
     const Real angle = Real(k) * (aperture() / Real(2));
@@ -185,7 +189,7 @@ class TurnedDirection {
     constexpr std::int64_t length = Multiples::max_tabulated + 1;
     before_table_ += in_table_ / length * length;
     in_table_ %= length;
-    const auto turn = multiples.at(before_table_);
+    const auto turn = multiples.computed(before_table_);
     table_up_ = turn.cosine * up_ - turn.sine * across_;
     table_across_ = turn.sine * up_ + turn.cosine * across_;
   }
