@@ -131,7 +131,7 @@ TEST_CASE("a perfect conductor reflects unpolarised light as white facets do") {
   }
 }
 
-TEST_CASE("light, viewer and surface turned together see the same; so do their mirror images") {
+TEST_CASE("light, viewer and surface turned together see the same, and so do their mirror images") {
   Directions directions(6);
   const RoughGrooveBsdf along_x(GgxSlopes<double>(0.2, 0.7), metal),
       along_y(GgxSlopes<double>(0.7, 0.2), metal);
@@ -188,7 +188,7 @@ TEST_CASE("white facets need no more bounces than the limit where the rest has a
   CHECK(worst_closed < 1e-3);
 }
 
-TEST_CASE("in the mirror direction the one bounce of flat facets is left; below the horizon nothing is") {
+TEST_CASE("in the mirror direction the one bounce of flat facets is left, below the horizon nothing") {
   const RoughGrooveBsdf bsdf(GgxSlopes<double>(0.3), white);
   const Vec3<double> e = direction(0.6, 0.4), mirrored{-e.x, -e.y, e.z};
   CHECK(bsdf.evaluate(e, mirrored) == Approx(1 / (pi<double>() * 0.09 * 4 * e.z)));

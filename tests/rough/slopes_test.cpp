@@ -100,7 +100,8 @@ TEST_CASE("normals are drawn as the density says") {
   }
 }
 
-TEST_CASE("the larger the first random number, the steeper the facet; the second one decides the azimuth") {
+TEST_CASE(
+    "the larger the first random number, the steeper the facet, and the second one decides the azimuth") {
   for (const Slopes& slopes : all_slopes()) {
     CAPTURE(slopes.name);
     for (double v = 0; v <= 1; v += 0.125) {
