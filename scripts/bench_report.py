@@ -7,6 +7,7 @@ Times are medians of repetitions that are interleaved at random, so that a ratio
 
 import argparse
 import csv
+import importlib.util
 import json
 import math
 import os
@@ -369,6 +370,8 @@ def main():
     parser.add_argument("--plot", type=pathlib.Path, help="also draw a picture of them, an SVG")
     parser.add_argument("--into", type=pathlib.Path, help="replace the tables of this page instead of printing them")
     options = parser.parse_args()
+    if options.plot and not importlib.util.find_spec("matplotlib"):
+        parser.error(f"--plot draws with matplotlib, which {sys.executable} does not have")
 
     def output(cores, *command):
         """What a command prints if it may use the first so many cores."""

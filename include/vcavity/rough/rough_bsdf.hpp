@@ -285,6 +285,7 @@ class RoughGrooveBsdf {
                                                          const GrooveBatches<Real>& batches,
                                                          Real first) const {
     using Batch = GrooveBatch<Real>;
+    // Lane by lane: zeros that are written in other pieces than they are read in keep the processor waiting.
     LightInLanes<Real, number_count<Value>> light;
     light.light.fill(Lanes(Real(0)));
     light.white = Lanes(Real(0));

@@ -15,8 +15,8 @@
 ///
 /// A distribution of your own is a struct with these two and a `value_type`, its number type. If it also has
 /// `densities(across, cos_half, sin_half)`, the same of the normals (cos_half · across, sin_half), with a horizontal unit
-/// vector and two packs, the BRDF is faster. Slopes are tangents: a facet of slope t rises by
-/// t on a way of 1, t = tan θ_m, and the groove that it belongs to has the aperture α = 2 arctan(1/t).
+/// vector and two packs, the BRDF is faster. Slopes are tangents: a facet of slope t rises by t on a way of 1, t = tan θ_m,
+/// and the groove that it belongs to has the aperture α = 2 arctan(1/t).
 ///
 /// The frame is that of the mean surface: z its normal, x the direction along which brushed grooves run.
 
