@@ -99,6 +99,9 @@ void check_parts() {
   CHECK(both.template slice<8>(1) == high);
   const Pack<Real, 3> first(low);
   for (std::size_t i = 0; i < 3; ++i) CHECK(first[i] == low[i]);
+  constexpr std::array pattern{true, false, false, true, true, true, false, false};
+  const auto blended = Pack<Real, 8>::template blended<pattern>(low, high);
+  for (std::size_t i = 0; i < 8; ++i) CHECK(blended[i] == (pattern[i] ? low[i] : high[i]));
 
   const std::array packs{low, high, numbers<Real, 8>(3), numbers<Real, 8>(4), numbers<Real, 8>(5)};
   const auto sums = detail::combined_lanes([](const auto& a, const auto& b) { return a + b; }, packs);

@@ -163,6 +163,24 @@ concept ContrastingFacet = requires(const Facet& facet) { facet.contrast(); };
 template <class Facet>
 concept OverDirections = requires(const Facet& facet) { facet.template over_directions<4>(); };
 
+/// A number as a fraction, of which several are multiplied with a single division.
+template <class Value>
+struct Fraction {
+  Value numerator;
+  Value denominator;  ///< above 0
+};
+
+/// The reflectance of a facet as a fraction: `facet.fraction(cosine)` if it knows one. The products of four numerators
+/// and of four denominators are finite, and those of the denominators not 0.
+/// @param cosine of incidence, in [0, 1]
+template <class Facet, class Value>
+VCAVITY_INLINE Fraction<Value> fraction_of(const Facet& facet, const Value& cosine) {
+  if constexpr (requires { facet.fraction(cosine); })
+    return facet.fraction(cosine);
+  else
+    return {facet(cosine), Value(scalar_t<Value>(1))};
+}
+
 /// The critical cosine of a facet; 0 if it has none or does not tell.
 template <class Real, class Facet>
 Real critical_cosine_of([[maybe_unused]] const Facet& facet) {

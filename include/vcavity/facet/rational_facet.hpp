@@ -54,7 +54,7 @@ class RationalFacet {
     numerator_.fill(Value(Real(1)));
     denominator_.fill(Value(Real(1)));
     for (std::size_t i = 0; i < component_count(numerator_[0]); ++i) {
-      const Fraction fit = best_fit([&](double cosine) {
+      const Fit fit = best_fit([&](double cosine) {
         return static_cast<double>(component(facet(static_cast<scalar_t<Exact>>(cosine)), i));
       });
       for (std::size_t k = 0; k <= degree; ++k) component(numerator_[k], i) = fit.numerator[k];
@@ -71,8 +71,15 @@ class RationalFacet {
   /// @param cos_theta_i cosine of the angle of incidence in [0, 1], one for all components or one for each
   template <CosineFor<Value> Cosine>
   VCAVITY_INLINE Value operator()(const Cosine& cos_theta_i) const {
-    const Value c(cos_theta_i);
-    return quotient(numerator_, denominator_, c);
+    const Fraction<Value> value = fraction(cos_theta_i);
+    return value.numerator / value.denominator;
+  }
+
+  /// The same before the division; products of four of them are finite in float.
+  /// @param cos_theta_i as above
+  template <CosineFor<Value> Cosine>
+  VCAVITY_INLINE Fraction<Value> fraction(const Cosine& cos_theta_i) const {
+    return fraction(numerator_, denominator_, Value(cos_theta_i));
   }
 
   /// The facet that reflects a part of what this one does, at the same cost.
@@ -104,7 +111,10 @@ class RationalFacet {
   template <class Number>
   using Denominator = std::array<Number, degree>;
 
-  struct Fraction {
+  // Its fourth power is finite in float, and so is the inverse of that.
+  static constexpr Real largest_denominator = Real(1e9);
+
+  struct Fit {
     Numerator<Real> numerator{};
     Denominator<Real> denominator{};
     double error = HUGE_VAL;
@@ -113,13 +123,13 @@ class RationalFacet {
   RationalFacet() = default;
 
   template <class Number>
-  VCAVITY_INLINE static Number quotient(const Numerator<Number>& above, const Denominator<Number>& below,
-                                        const Number& c) {
+  VCAVITY_INLINE static Fraction<Number> fraction(const Numerator<Number>& above,
+                                                  const Denominator<Number>& below, const Number& c) {
     Number p = above[degree], q = below[degree - 1];
     for (std::size_t k = degree; k-- > 0;) p = p * c + above[k];
     for (std::size_t k = degree - 1; k-- > 0;) q = q * c + below[k];
     q = q * c + Number(Real(1));
-    return p / q;
+    return {p, q};
   }
 
   /// The cosine of a check, crowded at grazing incidence, where the poles are near.
@@ -128,11 +138,11 @@ class RationalFacet {
 
   /// The best of the fits to a reflectance.
   template <class Reflectance>
-  static Fraction best_fit(const Reflectance& reflectance) {
-    Fraction best;
+  static Fit best_fit(const Reflectance& reflectance) {
+    Fit best;
     for (const std::size_t above : {degree, degree - 1})
       for (const std::size_t below : {degree, degree - 1}) {
-        const Fraction fit = interpolation(reflectance, above, below);
+        const Fit fit = interpolation(reflectance, above, below);
         // What is no number is no small error.
         if (fit.error < best.error) best = fit;
       }
@@ -141,7 +151,7 @@ class RationalFacet {
 
   /// The quotient of polynomials of these degrees through the values of a reflectance at the Chebyshev nodes of [0, 1].
   template <class Reflectance>
-  static Fraction interpolation(const Reflectance& reflectance, std::size_t above, std::size_t below) {
+  static Fit interpolation(const Reflectance& reflectance, std::size_t above, std::size_t below) {
     // 1 − R = c A(c)/Q(c) at the nodes; P = Q − c A.
     const std::size_t size = above + below;
     SquareMatrix<double> equations(size);
@@ -158,7 +168,7 @@ class RationalFacet {
       }
     }
     const std::vector<double> solution = LuFactors<double>(std::move(equations)).solve(std::move(lost));
-    Fraction fit;
+    Fit fit;
     fit.numerator[0] = Real(1);
     for (std::size_t k = 0; k < degree; ++k) {
       const double q = k < below ? solution[above + k] : 0;
@@ -168,15 +178,19 @@ class RationalFacet {
     }
     // No reflectance exceeds 1, though the fit may by its error: the little that is too much is taken from all.
     Real highest(1);
-    for (int check = 0; check <= checks; ++check)
-      highest = at_least(quotient(fit.numerator, fit.denominator, check_cosine(check)), highest);
+    for (int check = 0; check <= checks; ++check) {
+      const auto [p, q] = fraction(fit.numerator, fit.denominator, check_cosine(check));
+      highest = at_least(Real(p / q), highest);
+    }
     for (Real& coefficient : fit.numerator) coefficient /= highest;
     fit.error = 0;
     for (int check = 0; check <= checks; ++check) {
       const Real c = check_cosine(check);
-      const double difference = std::fabs(static_cast<double>(quotient(fit.numerator, fit.denominator, c)) -
-                                          reflectance(static_cast<double>(c)));
-      if (!(difference <= fit.error)) fit.error = std::isnan(difference) ? HUGE_VAL : difference;
+      const auto [p, q] = fraction(fit.numerator, fit.denominator, c);
+      const double difference = std::fabs(static_cast<double>(p / q) - reflectance(static_cast<double>(c)));
+      const bool is_moderate = q > 1 / largest_denominator && q < largest_denominator;
+      if (!is_moderate || std::isnan(difference)) fit.error = HUGE_VAL;
+      fit.error = at_least(difference, fit.error);
     }
     return fit;
   }

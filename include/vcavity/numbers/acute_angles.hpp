@@ -106,12 +106,10 @@ VCAVITY_INLINE Real acute_angle(const Real& opposite, const Real& adjacent) {
 template <class Value>
 VCAVITY_INLINE Value acute_angles(const Value& opposite, const Value& adjacent) {
   if constexpr (has_short_series<Value>) {
-    const auto is_steep = opposite > adjacent;
-    const Value longer_side =
-        at_least(select(is_steep, opposite, adjacent), std::numeric_limits<float>::min());
+    const Value longer_side = at_least(at_least(opposite, adjacent), std::numeric_limits<float>::min());
     const Value slope = at_most(opposite, adjacent) / longer_side;
     const Value angle = slope * polynomial(arctangent_series, Value(slope * slope));
-    return select(is_steep, Value(pi<float>() / 2) - angle, angle);
+    return select(opposite > adjacent, Value(pi<float>() / 2) - angle, angle);
   } else {
     return value_of_components<Value>(
         [&](std::size_t i) { return acute_angle(component(opposite, i), component(adjacent, i)); });

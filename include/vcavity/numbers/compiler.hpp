@@ -47,6 +47,14 @@
 #define VCAVITY_VECTOR(bytes)
 #endif
 
+/// Makes a compiler forget what it knows of a vector. To GCC the smaller and the larger one of two vectors, or of a vector
+/// and a constant, are comparisons and choices; it takes the one instruction that each is if it knows of nothing to share.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define VCAVITY_FORGET(x) asm("" : "+x"(x))
+#else
+#define VCAVITY_FORGET(x) static_cast<void>(0)
+#endif
+
 /// Defined while code for a GPU is compiled. There are no exceptions, and no memory that is filled when it is first used.
 #if defined(__CUDA_ARCH__)
 #define VCAVITY_ON_GPU

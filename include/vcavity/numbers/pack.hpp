@@ -179,22 +179,40 @@ class Pack {
       *this = load(a.begin());
   }
 
-  /// Packs one after the other, whole registers each.
+  /// Packs of whole registers, one after the other.
   template <std::size_t part, std::size_t count>
-    requires(part* count == size && count > 1 && part % width == 0)
+    requires(part* count == size && count > 1 && part % Pack<Real, part, most_bytes>::width == 0)
   VCAVITY_INLINE explicit Pack(const std::array<Pack<Real, part, most_bytes>, count>& parts) {
-    constexpr std::size_t each = part / width;
-    for (std::size_t i = 0; i < registers; ++i) registers_[i] = parts[i / each].registers_[i % each];
+    if constexpr (part % width == 0) {
+      constexpr std::size_t each = part / width;
+      for (std::size_t i = 0; i < registers; ++i) registers_[i] = parts[i / each].registers_[i % each];
+    } else {
+      // Several of them fill a register.
+      static_assert(sizeof parts == sizeof registers_);
+      std::memcpy(registers_, parts.data(), sizeof registers_);
+    }
   }
 
-  /// The i-th pack of those that a pack is made of, whole registers each.
+  /// The i-th of the packs of whole registers that a pack is made of.
   template <std::size_t part>
-    requires(size % part == 0 && part % width == 0)
+    requires(size % part == 0 && part % Pack<Real, part, most_bytes>::width == 0)
   VCAVITY_INLINE Pack<Real, part, most_bytes> slice(std::size_t i) const {
-    constexpr std::size_t each = part / width;
     Pack<Real, part, most_bytes> result;
-    for (std::size_t k = 0; k < each; ++k) result.registers_[k] = registers_[i * each + k];
+    if constexpr (part % width == 0) {
+      constexpr std::size_t each = part / width;
+      for (std::size_t k = 0; k < each; ++k) result.registers_[k] = registers_[i * each + k];
+    } else {
+      std::memcpy(result.registers_, begin() + i * part, sizeof result.registers_);
+    }
     return result;
+  }
+
+  /// Component by component, `a` where the pattern holds and `b` elsewhere: what `select` does with a mask, for less,
+  /// where the choice depends on no number.
+  template <std::array<bool, size> pattern>
+    requires(size % width == 0)
+  VCAVITY_INLINE static Pack blended(const Pack& a, const Pack& b) {
+    return blended<pattern>(a, b, std::make_index_sequence<registers>());
   }
 
   /// The same components in another order: component i of the result is component `order[i]`.
@@ -274,13 +292,16 @@ class Pack {
     return mask.choose(a, b);
   }
   VCAVITY_INLINE friend Pack at_least(const Pack& a, const Real& floor) {
-    return map([low = broadcast(floor)](const auto& x) { return x < low ? low : x; }, a);
+    return map([low = broadcast(floor)](const auto& x) { return greater(low, x); }, a);
   }
   VCAVITY_INLINE friend Pack at_most(const Pack& a, const Real& ceiling) {
-    return map([high = broadcast(ceiling)](const auto& x) { return high < x ? high : x; }, a);
+    return map([high = broadcast(ceiling)](const auto& x) { return lesser(high, x); }, a);
   }
   VCAVITY_INLINE friend Pack at_most(const Pack& a, const Pack& b) {
-    return map([](const auto& x, const auto& y) { return y < x ? y : x; }, a, b);
+    return map([](const auto& x, const auto& y) { return lesser(y, x); }, a, b);
+  }
+  VCAVITY_INLINE friend Pack at_least(const Pack& a, const Pack& b) {
+    return map([](const auto& x, const auto& y) { return greater(y, x); }, a, b);
   }
   friend Real largest(const Pack& a) {
     Real result = vcavity::largest(a[0]);
@@ -301,6 +322,23 @@ class Pack {
       return registers_[order[i]];
     } else {
       return Register{registers_[order[i * width + lane] / width][order[i * width + lane] % width]...};
+    }
+  }
+  template <std::array<bool, size> pattern, std::size_t... i>
+  VCAVITY_INLINE static Pack blended(const Pack& a, const Pack& b, std::index_sequence<i...>) {
+    Pack result;
+    ((result.registers_[i] =
+          blended_register<pattern, i>(a.registers_[i], b.registers_[i], std::make_index_sequence<width>())),
+     ...);
+    return result;
+  }
+  template <std::array<bool, size> pattern, std::size_t i, std::size_t... lane>
+  VCAVITY_INLINE static Register blended_register(const Register& a, const Register& b,
+                                                  std::index_sequence<lane...>) {
+    if constexpr (width == 1) {
+      return pattern[i] ? a : b;
+    } else {
+      return __builtin_shufflevector(a, b, (pattern[i * width + lane] ? lane : width + lane)...);
     }
   }
   // Without a loop, compilers see the one instruction that this is.
@@ -333,6 +371,16 @@ class Pack {
     }
   }
   VCAVITY_INLINE static Register zero() { return Register(broadcast(Real(0))); }
+
+  /// What is not less, or x if neither is.
+  VCAVITY_INLINE static Register greater(Register limit, const Register& x) {
+    if constexpr (width > 1) VCAVITY_FORGET(limit);
+    return x < limit ? limit : x;
+  }
+  VCAVITY_INLINE static Register lesser(Register limit, const Register& x) {
+    if constexpr (width > 1) VCAVITY_FORGET(limit);
+    return limit < x ? limit : x;
+  }
 
   /// The pack of operation(a, b, …), a register at a time.
   template <class Operation, class... Packs>

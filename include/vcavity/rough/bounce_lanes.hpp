@@ -65,8 +65,15 @@ VCAVITY_INLINE Value value_of(const Components& components) {
 
 }  // namespace detail
 
-/// The cosines of incidence at the bounces of the ways of one to four bounces, bounce by bounce, whether there is such a
-/// way or not.
+/// The cosines of incidence at the bounces of the ways of one to four bounces, whether there is such a way or not: of the
+/// first and of the last bounce, and of those between them.
+///
+/// With e_y towards the panel that is met first,
+///
+///     c_i = e_y cos (i − ½)α + e_z sin (i − ½)α,
+///
+/// and backwards the same of the direction in which the light leaves. So the first and the last cosine follow from those
+/// of α/2, and c_2 = 2 cos α c_1 − c_0 from either end.
 template <class Real>
 class BounceRows {
  public:
@@ -75,15 +82,20 @@ class BounceRows {
 
   /// @param grooves what the batch is of
   /// @param first the batch of these ways
-  VCAVITY_INLINE BounceRows(const ConnectingGrooves<Real>& grooves, const Batch& first)
-      : cos_eta_(grooves.cos_eta()), elevation_(first.elevation) {
-    const Lanes aperture = Real(2) * first.half_aperture;
-    // The single bounce has its cosine even in the mirror direction.
-    first_ = select(has(2), cosine(Lanes(Real(0.5)), aperture), Lanes(grooves.cosine_of_first()));
-    // The ways of one bounce have no second one: there is room for the fourth one of the ways of four.
-    second_or_fourth_ = cosine(select(has(2), Lanes(Real(1.5)), Lanes(Real(3.5))),
-                               select(has(2), aperture, aperture.template rearranged<from_end>()));
-    third_ = cosine(Lanes(Real(2.5)), aperture);
+  VCAVITY_INLINE BounceRows(const ConnectingGrooves<Real>& grooves, const Batch& first) {
+    const Vec3<Real>& e = grooves.to_light();
+    const Vec3<Real>& o = grooves.leaving();
+    const Lanes e_along = (e.y * Batch::sides()) * first.cos_half, e_up = e.z * first.sin_half;
+    const Lanes o_along = (o.y * Batch::leaving_sides()) * first.cos_half, o_up = o.z * first.sin_half;
+    const Lanes twice_cosine = Lanes(Real(2)) - Real(4) * (first.sin_half * first.sin_half);
+    const Lanes from_first = e_along + e_up, from_last = o_along + o_up;
+    const Lanes second = twice_cosine * from_first - (e_along - e_up);
+    const Lanes last_but_one = twice_cosine * from_last - (o_along - o_up);
+    first_ = in_range(from_first);
+    last_ = in_range(from_last);
+    // The ways of one and two bounces have none between: there is room for the third of those of four.
+    between_ =
+        in_range(Lanes::template blended<has(3)>(second, last_but_one.template rearranged<from_end>()));
   }
 
   /// The light that is left of each way.
@@ -91,29 +103,40 @@ class BounceRows {
   /// @param white what goes each way for facets that reflect all light
   template <class Facet>
   VCAVITY_INLINE Lanes left_of(const Facet& facet, const Lanes& white) const {
-    const Lanes one(Real(1)), second_or_fourth = facet(second_or_fourth_);
-    const Lanes early = facet(first_) * select(has(2), second_or_fourth, one);
-    const Lanes late = select(has(3), facet(third_), one) *
-                       select(has(4), second_or_fourth.template rearranged<to_end>(), one);
-    return white * (early * late);
+    const Fraction<Lanes> first = fraction_of(facet, first_), last = fraction_of(facet, last_),
+                          between = fraction_of(facet, between_);
+    const Fraction<Lanes> third{between.numerator.template rearranged<to_end>(),
+                                between.denominator.template rearranged<to_end>()};
+    const Lanes above =
+        (first.numerator * numerator<2>(last)) * (numerator<3>(between) * numerator<4>(third));
+    const Lanes below = (first.denominator * last.denominator) * (between.denominator * third.denominator);
+    return white * (above / below);
   }
 
  private:
-  static constexpr std::array<std::size_t, Batch::capacity> from_end{6, 7, 0, 1, 2, 3, 4, 5},
-      to_end{2, 3, 4, 5, 6, 7, 0, 1};
+  static constexpr std::array<std::size_t, Batch::capacity> from_end{4, 5, 6, 7, 0, 1, 2, 3},
+      to_end{0, 1, 0, 1, 4, 5, 2, 3};
 
   /// Where ways have so many bounces.
-  VCAVITY_INLINE static auto has(int bounces) { return Batch::lane_numbers() >= Real(2 * (bounces - 1)); }
-
-  /// Not below 0, also where there is no such way: beyond, a facet may be infinite, and 0 times that is no number.
-  /// @param number of the bounce, less ½
-  VCAVITY_INLINE Lanes cosine(const Lanes& number, const Lanes& aperture) const {
-    return at_least(Lanes(cos_eta_ * detail::acute_cosine(Lanes(elevation_ - number * aperture))), Real(0));
+  static constexpr std::array<bool, Batch::capacity> has(std::size_t bounces) {
+    std::array<bool, Batch::capacity> result{};
+    for (std::size_t lane = 0; lane < result.size(); ++lane) result[lane] = lane / 2 + 1 >= bounces;
+    return result;
   }
 
-  Real cos_eta_;
-  Lanes elevation_;
-  Lanes first_, second_or_fourth_, third_;
+  /// The numerator where ways have so many bounces; elsewhere the denominator, so that all is reflected.
+  template <std::size_t bounces>
+  VCAVITY_INLINE static Lanes numerator(const Fraction<Lanes>& reflectance) {
+    return Lanes::template blended<has(bounces)>(reflectance.numerator, reflectance.denominator);
+  }
+
+  /// In [0, 1]: outside, a facet may be infinite, and 0 times that is no number. Cosines are there where there is no way,
+  /// and next to the mirror direction, where rounding turns the grooves.
+  VCAVITY_INLINE static Lanes in_range(const Lanes& cosine) {
+    return at_most(at_least(cosine, Real(0)), Real(1));
+  }
+
+  Lanes first_, last_, between_;
 };
 
 /// Light that goes through several grooves, lane by lane.
@@ -189,9 +212,18 @@ class PairBounces {
     return select(Batch::sides() > Real(0), Lanes(first), Lanes(second));
   }
 
+  /// The products of the reflectances of every fourth bounce, as far as there are any.
+  /// @param facet facet reflectance for the lanes
+  /// @param cosines those of the bounces
+  template <class Facet>
+  VCAVITY_INLINE Lanes reflected(const Facet& facet, const Two& cosines) const {
+    const auto [numerator, denominator] = fraction_of(facet, cosines);
+    return product(select(exist(), numerator, denominator)) / product(denominator);
+  }
+
   /// The products over the bounces of each way, in lanes that alternate between the ways.
-  VCAVITY_INLINE static Lanes combined(const Two& factors) {
-    const Lanes four = factors.template slice<bounces>(0) * factors.template slice<bounces>(1);
+  /// @param four the products over every fourth bounce
+  VCAVITY_INLINE static Lanes combined(const Lanes& four) {
     const Lanes two = four * four.template rearranged<by_four>();
     return two * two.template rearranged<by_two>();
   }
@@ -201,6 +233,11 @@ class PairBounces {
                                          4.5f, 4.5f, 5.5f, 5.5f, 6.5f, 6.5f, 7.5f, 7.5f};
   static constexpr std::array<std::size_t, bounces> by_four{4, 5, 6, 7, 0, 1, 2, 3},
       by_two{2, 3, 0, 1, 6, 7, 4, 5};
+
+  /// Of the first half and the second half.
+  VCAVITY_INLINE static Lanes product(const Two& x) {
+    return x.template slice<bounces>(0) * x.template slice<bounces>(1);
+  }
 
   VCAVITY_INLINE static Two twice(const Lanes& x) { return Two(std::array{x, x}); }
 
@@ -224,17 +261,16 @@ VCAVITY_INLINE void add_pair(LightInLanes<Real, components>& light, const Facet&
   using Two = typename Bounces::Two;
   constexpr std::size_t width = 2 * Bounces::bounces;
   Bounces bounces(cos_eta, ways);
-  std::array<Two, components> products;
+  std::array<Lanes, components> products;
   const Two cosines = bounces.cosines();
   for (std::size_t c = 0; c < components; ++c)
-    products[c] = select(bounces.exist(), facet.template over_directions<width>(c)(cosines), Two(Real(1)));
+    products[c] = bounces.reflected(facet.template over_directions<width>(c), cosines);
   const int most = ways.bounces + (ways.has_both ? 2 : 0);
   for (int done = Bounces::bounces; done < most; done += static_cast<int>(Bounces::bounces)) {
     bounces.advance();
     const Two further = bounces.cosines();
     for (std::size_t c = 0; c < components; ++c)
-      products[c] = select(bounces.exist(), products[c] * facet.template over_directions<width>(c)(further),
-                           products[c]);
+      products[c] = products[c] * bounces.reflected(facet.template over_directions<width>(c), further);
   }
   const Lanes white_lanes = select(Lanes(Real(2)) > GrooveBatch<Real>::lane_numbers(),
                                    Bounces::alternating(white[0], white[1]), Lanes(Real(0)));

@@ -51,8 +51,11 @@ using PairOf = Pack<Real, has_short_series<Real> ? 4 : 2>;
 /// @param of_e, of_o the two numbers
 template <class Real>
 VCAVITY_INLINE PairOf<Real> pair_of(const Real& of_e, const Real& of_o) {
-  static constexpr std::array is_of_o{0.0f, 1.0f, 0.0f, 1.0f};
-  return select(PairOf<Real>::load(is_of_o.data()) > Real(0), PairOf<Real>(of_o), PairOf<Real>(of_e));
+  using Pair = PairOf<Real>;
+  if constexpr (has_short_series<Real>)
+    return Pair::template blended<std::array{true, false, true, false}>(Pair(of_e), Pair(of_o));
+  else
+    return Pair::template blended<std::array{true, false}>(Pair(of_e), Pair(of_o));
 }
 
 }  // namespace detail

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "vcavity/conventions.hpp"
 #include "vcavity/numbers/acute_angles.hpp"
@@ -44,6 +45,12 @@ struct GrooveBatch : GrooveWays<Pack<Real, 8>> {
   /// 1 where panel one is met first, −1 where it is panel two.
   VCAVITY_INLINE static Lanes sides() {
     static constexpr std::array signs{1.0f, -1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f, -1.0f};
+    return Lanes::load(signs.data());
+  }
+
+  /// 1 where panel one is met last, −1 where it is panel two.
+  VCAVITY_INLINE static Lanes leaving_sides() {
+    static constexpr std::array signs{1.0f, -1.0f, -1.0f, 1.0f, 1.0f, -1.0f, -1.0f, 1.0f};
     return Lanes::load(signs.data());
   }
 
@@ -110,15 +117,11 @@ class GrooveBatches {
   VCAVITY_INLINE Batch first() const {
     Batch batch = from(1);
     // One bounce has but one way, and that has all its digits; also in the mirror direction.
-    static constexpr std::array is_of_one{1.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-    static constexpr std::array exists{1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-    const auto mask = Lanes::load(is_of_one.data()) > Real(0);
-    const Lanes existing = Lanes::load(exists.data());
     const ConnectingGroove<Real> one = grooves_.first();
-    batch.cos_half = select(mask, Lanes(one.cos_half), batch.cos_half);
-    batch.sin_half = select(mask, Lanes(one.sin_half), batch.sin_half);
-    batch.beam = select(mask, one.beam * existing, batch.beam);
-    batch.weight = select(mask, grooves_.weight_of_first() * existing, batch.weight);
+    batch.cos_half = with_first(one.cos_half, one.cos_half, batch.cos_half);
+    batch.sin_half = with_first(one.sin_half, one.sin_half, batch.sin_half);
+    batch.beam = with_first(one.beam, Real(0), batch.beam);
+    batch.weight = with_first(grooves_.weight_of_first(), Real(0), batch.weight);
     return batch;
   }
 
@@ -127,29 +130,41 @@ class GrooveBatches {
   VCAVITY_INLINE Batch from(int least) const {
     Batch batch{series_.ways(bounces_from(least)), least, {}};
     batch.beam = select(batch.bounces > Real(max_bounces_), Lanes(Real(0)), batch.beam);
-    batch.weight = scale_ * (batch.beam * ((inverse_tilt_ * batch.cos_half) * batch.inverse_bounces));
+    batch.weight = (batch.beam * batch.cos_half) * (scale_ * batch.inverse_bounces);
     return batch;
   }
 
  private:
   using Pair = detail::PairOf<Real>;
 
+  /// Numbers of a batch of which those of one bounce, with panel one and with panel two met first, are given.
+  VCAVITY_INLINE static Lanes with_first(const Real& panel_one, const Real& panel_two, const Lanes& others) {
+    static constexpr std::array is_first{true, false, false, false, false, false, false, false},
+        is_one_bounce{true, true, false, false, false, false, false, false};
+    const Lanes of_one = Lanes::template blended<is_first>(Lanes(panel_one), Lanes(panel_two));
+    return Lanes::template blended<is_one_bounce>(of_one, others);
+  }
+
   /// @param low the elevations of e and o above the nearer horizon
   VCAVITY_INLINE GrooveBatches(const ConnectingGrooves<Real>& grooves, int max_bounces, const Pair& low)
       // Of an odd number of bounces, panel one and panel two first; then of an even one.
       : grooves_(grooves),
         series_(elevation(low[0], grooves.to_light().y * Batch::sides()),
-                elevation(low[1], grooves.leaving().y * leaving_sides())),
+                elevation(low[1], grooves.leaving().y * Batch::leaving_sides()), beams_of_one(grooves)),
         scale_(grooves.cos_eta() * (Real(0.5) / grooves.to_light().z)) {
     const bool is_tilted = grooves.tilt() > Real(0);
-    inverse_tilt_ = is_tilted ? Real(Real(1) / grooves.tilt()) : Real(0);
+    // Finite, so that no light goes where there is no beam.
+    scale_ = is_tilted ? at_most(Real(scale_ / grooves.tilt()), std::numeric_limits<Real>::max()) : Real(0);
     max_bounces_ = is_tilted ? max_bounces : 1;
   }
 
-  /// 1 where light leaves over panel one, −1 where over panel two.
-  VCAVITY_INLINE static Lanes leaving_sides() {
-    static constexpr std::array signs{1.0f, -1.0f, -1.0f, 1.0f, 1.0f, -1.0f, -1.0f, 1.0f};
-    return Lanes::load(signs.data());
+  /// 2 cos β of the series: β is half the sum of the angles that the directions make with the vertical in the plane
+  /// across the groove, or half their difference if the number of bounces is even.
+  VCAVITY_INLINE static Lanes beams_of_one(const ConnectingGrooves<Real>& grooves) {
+    static constexpr std::array is_odd{true, true, false, false, true, true, false, false};
+    const Real half_sum = grooves.first().sin_half;
+    const Real half_difference = at_most(Real(grooves.cosine_of_first() / grooves.cos_eta()), Real(1));
+    return Lanes::template blended<is_odd>(Lanes(Real(2) * half_sum), Lanes(Real(2) * half_difference));
   }
 
   /// Elevations above panels.
@@ -169,8 +184,7 @@ class GrooveBatches {
 
   const ConnectingGrooves<Real>& grooves_;
   WaySeries<Lanes> series_;
-  Real scale_;  // cos η/(2 e_z)
-  Real inverse_tilt_;
+  Real scale_;       // cos η/(2|h| e_z)
   int max_bounces_;  // 1 where only the groove of one bounce counts
 };
 

@@ -61,19 +61,24 @@ class WaySeries {
   /// @param to elevation of the way it leaves, above the same panel after an odd number of bounces, above the other
   ///        one after an even number
   VCAVITY_INLINE WaySeries(const detail::Elevation<Value>& from, const detail::Elevation<Value>& to)
-      : from_(from.angle) {
+      : WaySeries(from, to, Real(2) * detail::acute_sine(Value(Real(0.5) * (from.angle + to.angle)))) {}
+
+  /// The same if more is known.
+  /// @param beam_of_one 2 cos β
+  VCAVITY_INLINE WaySeries(const detail::Elevation<Value>& from, const detail::Elevation<Value>& to,
+                           const Value& beam_of_one)
+      : from_(from.angle), beam_of_one_(beam_of_one) {
     lower_ = at_most(from.angle, to.angle);
-    upper_ = larger(from.angle, to.angle);
-    lower_complement_ = larger(from.complement, to.complement);
+    upper_ = at_least(from.angle, to.angle);
+    lower_complement_ = at_least(from.complement, to.complement);
     upper_complement_ = at_most(from.complement, to.complement);
     sum_ = lower_ + upper_;
     // Where elevations are measured from the near horizon, they have more digits than from the far one.
     const auto is_low = lower_complement_ > lower_;
     const Value difference =
         select(is_low, Value(upper_ - lower_), Value(lower_complement_ - upper_complement_));
-    beta_ = Real(0.5) * (upper_complement_ - lower_);
-    slowest_ = larger(Value(difference - Real(2) * beta_), difference);
-    beam_of_one_ = Real(2) * detail::acute_sine(Value(Real(0.5) * sum_));
+    twice_beta_ = upper_complement_ - lower_;
+    slowest_ = at_least(Value(difference - twice_beta_), difference);
     nearer_ = select(is_low, lower_, Value(-lower_complement_));
     half_turns_before_ = select(is_low, Value(Real(1)), Value(Real(2)));
   }
@@ -101,12 +106,13 @@ class WaySeries {
     const Value inverse = Real(0.5) * ways.inverse_bounces;
     const Value fewer = bounces - Value(Real(1));
     ways.half_aperture = sum_ * inverse;
-    const Value x = ((bounces + Value(Real(1))) * lower_ - fewer * upper_) * inverse;
+    // 2jβ, 2jx and 2j(x + β)
+    const Value beta = bounces * twice_beta_;
+    const Value x = (bounces + Value(Real(1))) * lower_ - fewer * upper_;
     const Value x_plus_beta =
-        ((bounces + fewer) * upper_complement_ + nearer_ - pi<Real>() * (bounces - half_turns_before_)) *
-        inverse;
-    const auto is_one_lit = beta_ > x;
-    const Value angle = select(is_one_lit, x, x_plus_beta);
+        (bounces + fewer) * upper_complement_ + nearer_ - pi<Real>() * (bounces - half_turns_before_);
+    const auto is_one_lit = beta > x;
+    const Value angle = select(is_one_lit, x, x_plus_beta) * inverse;
     ways.cos_half = detail::acute_cosine(ways.half_aperture);
     ways.sin_half = detail::acute_sine(ways.half_aperture);
     const Value beam = select(is_one_lit, beam_of_one_, Value(Real(1))) * detail::acute_sine(angle);
@@ -115,17 +121,15 @@ class WaySeries {
   }
 
  private:
-  VCAVITY_INLINE static Value larger(const Value& a, const Value& b) { return select(a > b, a, b); }
-
   Value from_;
   Value lower_, upper_;  // elevations above the near horizon
   Value lower_complement_, upper_complement_;
   Value nearer_;             // the lower elevation, from the near horizon or negative from the far one,
   Value half_turns_before_;  // and the number of bounces at which that is x + β
   Value sum_;                // jα
-  Value beta_;
-  Value beam_of_one_;  // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
-  Value slowest_;      // jα is above j times this for all numbers j of bounces that there are
+  Value twice_beta_;         // 2β
+  Value beam_of_one_;        // 2 cos β, which is 2 sin(jα/2); only asked for where β > 0
+  Value slowest_;            // jα is above j times this for all numbers j of bounces that there are
 };
 
 /// The ways of all numbers of bounces above 1 and of both first panels that lead light from one direction into another,
