@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vcavity/facet/fresnel.hpp>
 #include <vcavity/facet/rational_facet.hpp>
 
@@ -58,6 +59,26 @@ TEST_CASE("the error that a fit reports is the one that it has, be it small or l
   }
   // Total reflection has a kink, which no rational function follows.
   CHECK(RationalFacet<double>(Conductor<double>(0.7, 0)).error() > 1e-3);
+}
+
+namespace {
+
+/// Silver that has no reflectance at one of the cosines at which fits are checked.
+struct Undefined {
+  Conductor<double> metal{0.14, 4.1};
+
+  auto permittivity() const { return metal.permittivity(); }
+  auto contrast() const { return metal.contrast(); }
+  double operator()(const double& cosine) const {
+    return cosine == 0.0625 ? std::numeric_limits<double>::quiet_NaN() : metal(cosine);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what is no number anywhere has no fit") {
+  CHECK(RationalFacet<double>(Undefined().metal).error() < 1e-12);
+  CHECK(RationalFacet<double>(Undefined()).error() == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("every colour of a fit is the fit of that colour, in lanes too") {

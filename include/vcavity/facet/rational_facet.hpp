@@ -189,8 +189,7 @@ class RationalFacet {
       const auto [p, q] = fraction(fit.numerator, fit.denominator, c);
       const double difference = std::fabs(static_cast<double>(p / q) - reflectance(static_cast<double>(c)));
       const bool is_moderate = q > 1 / largest_denominator && q < largest_denominator;
-      if (!is_moderate || std::isnan(difference)) fit.error = HUGE_VAL;
-      fit.error = at_least(difference, fit.error);
+      fit.error = is_moderate && !std::isnan(difference) ? at_least(difference, fit.error) : HUGE_VAL;
     }
     return fit;
   }
