@@ -22,7 +22,7 @@ struct Effects {
   int max_bounces = vcavity::all_bounces;
   bool double_precision = false;
   /// Of all that a plan leaves out, on the radiance, for light of radiance 1; nothing where none is known.
-  std::optional<double> error_bound;
+  std::optional<double> error_bound = std::nullopt;
 };
 
 /// The plan of one shape and facet.
