@@ -338,7 +338,7 @@ class Pack {
     if constexpr (width == 1) {
       return pattern[i] ? a : b;
     } else {
-      return __builtin_shufflevector(a, b, (pattern[i * width + lane] ? lane : width + lane)...);
+      return Register{(pattern[i * width + lane] ? a[lane] : b[lane])...};
     }
   }
   // Without a loop, compilers see the one instruction that this is.
