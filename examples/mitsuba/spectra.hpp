@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vcavity/vcavity.hpp>
 
@@ -66,6 +67,17 @@ vcavity::Conductor<Values<Real, UnpolarizedSpectrum>> conductor(const Unpolarize
   return {n_values, k_values};
 }
 
+/// Such a facet as a rational function, where that is about as exact as Fresnel's formula in float, whose rounding is up
+/// to 5e-7; nothing elsewhere.
+/// @param eta,k the same everywhere
+template <class UnpolarizedSpectrum>
+std::optional<vcavity::RationalFacet<Values<float, UnpolarizedSpectrum>>> fitted_conductor(
+    const UnpolarizedSpectrum& eta, const UnpolarizedSpectrum& k) {
+  constexpr double largest_error = 1e-6;
+  const vcavity::RationalFacet<Values<float, UnpolarizedSpectrum>> facet(conductor<double>(eta, k));
+  return facet.error() < largest_error ? std::optional(facet) : std::nullopt;
+}
+
 /// n and k of such a facet, for the arrays of a vectorised variant.
 /// @tparam Values of vcavity, one component per colour or wavelength, each an array
 template <class Values, class UnpolarizedSpectrum>
@@ -101,6 +113,16 @@ class Tinted {
   template <class Cosine>
   Value operator()(const Cosine& cos_theta_i) const {
     return tint_ * facet_(cos_theta_i);
+  }
+
+  /// The same before a division, for facets that know it.
+  /// @param cos_theta_i cosine of the angle of incidence in [0, 1]
+  template <class Cosine>
+  vcavity::Fraction<Value> fraction(const Cosine& cos_theta_i) const
+    requires requires(const Facet& facet) { facet.fraction(cos_theta_i); }
+  {
+    const auto untinted = facet_.fraction(cos_theta_i);
+    return {tint_ * untinted.numerator, untinted.denominator};
   }
 
   /// Amplitudes r_s and r_p.

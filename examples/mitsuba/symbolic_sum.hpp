@@ -26,7 +26,7 @@ struct SymbolicSummation {
   /// @param first, end whole numbers n: those from `first` on and below `end` are summed over, in each entry of the
   ///        arrays as many as it has
   /// @param given what the terms depend on, for Dr.Jit to see: inside the calls of a renderer it finds no derivatives
-  ///        with respect to what loops only refer to
+  ///        with respect to what loops only refer to. It may hold evaluated arrays that are no fields of it.
   /// @param terms called with n, `given` and the sums so far, gives a tuple of terms
   template <class... Sums, class Float, class Given, class Terms>
   static std::tuple<Sums...> over(const Lanes<Float>& first, const Lanes<Float>& end, const Given& given,
@@ -39,10 +39,10 @@ struct SymbolicSummation {
     const bool is_done =
         ad_loop(Loop::Mask::Backend, choose, choose, is_sum, "vgroove: a sum", loop.get(), &Loop::read,
                 &Loop::write, &Loop::condition, &Loop::body, &Loop::release, true);
-    // Dr.Jit gives the loop another state for each derivative; what is left of this one would get in its way.
-    auto state = std::move(loop->state);
+    const std::tuple<Sums...> sums = std::get<3>(loop->state);
+    loop->forget();
     if (!is_done) (void)loop.release();  // derivatives need it
-    return std::get<3>(state);
+    return sums;
   }
 
   /// What derivatives take as given.
@@ -80,6 +80,12 @@ struct SymbolicSummation {
       n += Lanes<Float>(1);
     }
     static void release(void* payload) { delete static_cast<SumLoop*>(payload); }
+    /// Dr.Jit gives the loop another state for each derivative; what it sees of this one would get in its way.
+    void forget() {
+      drjit::vector<std::uint64_t> indices;
+      drjit::detail::collect_indices<false>(state, indices);
+      drjit::detail::update_indices(state, drjit::vector<std::uint64_t>(indices.size(), 0));
+    }
 
     static std::tuple<Sums...> so_far(const std::tuple<Sums...>& sums) {
       return std::apply([](const Sums&... sum) { return std::tuple(fixed(sum)...); }, sums);
@@ -104,7 +110,16 @@ struct drjit::detail::traversable<vgroove::Lanes<Array>> {
   }
 };
 
-/// The same for ways through grooves.
+/// The same for ways through grooves, and for how many there are.
+template <class Array>
+struct drjit::detail::traversable<vcavity::WayCounts<vgroove::Lanes<Array>>> {
+  static constexpr bool value = true;
+  template <class Counts>
+  static auto fields(Counts& counts) {
+    return drjit::tie(counts.even_from_one, counts.odd_from_one, counts.even_from_two, counts.all);
+  }
+};
+
 template <class Array>
 struct drjit::detail::traversable<vcavity::AllWays<vgroove::Lanes<Array>>> {
   static constexpr bool value = true;

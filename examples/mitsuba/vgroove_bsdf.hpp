@@ -373,15 +373,14 @@ class VGroove final : public BSDF<Float, Spectrum> {
       fitted_.reset();
       if (parameters_.index_varies()) return;
       const auto si = dr::zeros<SurfaceInteraction3f>();
-      const FittedFacet facet(vgroove::conductor<double>(parameters_.eta->eval(si), parameters_.k->eval(si)));
-      constexpr double rounding = 5e-7;
-      if (!(facet.error() < rounding)) return;
+      const auto facet = vgroove::fitted_conductor(parameters_.eta->eval(si), parameters_.k->eval(si));
+      if (!facet) return;
       if constexpr (Variation::varies)
-        fitted_.emplace(facet);
+        fitted_.emplace(*facet);
       else if constexpr (Variation::tinted)
-        fitted_.emplace(bsdf_at(si, facet.dimmed(tint_at(si))));
+        fitted_.emplace(bsdf_at(si, facet->dimmed(tint_at(si))));
       else
-        fitted_.emplace(bsdf_at(si, facet));
+        fitted_.emplace(bsdf_at(si, *facet));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 #include <vcavity/facet/fresnel.hpp>
+#include <vcavity/facet/rational_facet.hpp>
 #include <vcavity/rough/brushed_slopes.hpp>
 #include <vcavity/rough/lockstep_rough_bsdf.hpp>
 #include <vcavity/rough/rough_bsdf.hpp>
@@ -20,17 +21,20 @@ Vec3<double> direction(std::mt19937& random) {
   return {across * std::cos(azimuth), across * std::sin(azimuth), z};
 }
 
-template <class Distribution>
+const Conductor<double> metal(0.2, 2.0);
+
+template <class Distribution, class Facet = Conductor<double>>
 struct Surface {
   Distribution distribution;
+  Facet reflectance = metal;
 
   const Distribution& slopes() const { return distribution; }
-  Conductor<double> facet() const { return {0.2, 2.0}; }
+  const Facet& facet() const { return reflectance; }
 };
 
-template <class Distribution>
-void check(const Distribution& distribution, int max_bounces) {
-  const Surface<Distribution> surface{distribution};
+template <class Distribution, class Facet = Conductor<double>>
+void check(const Distribution& distribution, int max_bounces, const Facet& facet = metal) {
+  const Surface<Distribution, Facet> surface{distribution, facet};
   const RoughGrooveBsdf one_by_one(distribution, surface.facet(), max_bounces);
   const LockstepRoughBsdf lockstep(surface, max_bounces);
   std::mt19937 random(5);
@@ -52,6 +56,7 @@ void check(const Distribution& distribution, int max_bounces) {
 TEST_CASE("A rough surface in lockstep has the values of one direction after the other") {
   for (const int max_bounces : {1, 2, 3, 12, 32}) {
     check(GgxSlopes(0.7), max_bounces);
+    check(GgxSlopes(0.7), max_bounces, RationalFacet<double>(metal));
     check(GgxSlopes(0.1, 1.5), max_bounces);
     check(BeckmannSlopes(0.9), max_bounces);
     check(BrushedSlopes(GgxSlopes(1.2), 10.0), max_bounces);

@@ -22,12 +22,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "vcavity/facet/facet.hpp"
 #include "vcavity/facet/interface.hpp"
+#include "vcavity/numbers/acute_angles.hpp"
 #include "vcavity/numbers/compiler.hpp"
 #include "vcavity/numbers/components.hpp"
 #include "vcavity/numbers/linear_system.hpp"
@@ -44,7 +44,7 @@ class RationalFacet {
   using Real = scalar_t<Value>;
 
   /// Of both polynomials; enough for metals that what is left is rounding.
-  static constexpr std::size_t degree = std::is_same_v<Real, float> ? 4 : 7;
+  static constexpr std::size_t degree = detail::has_short_series<Value> ? 4 : 7;
 
   /// @param facet an interface, whose values have as many components; best in double
   template <ContrastingFacet Facet>
@@ -90,15 +90,23 @@ class RationalFacet {
     return result;
   }
 
+  /// The same facet for values of another kind and the same precision.
+  /// @param converted what a coefficient becomes
+  template <class Other, class Converted>
+  RationalFacet<Other> in(const Converted& converted) const {
+    static_assert(RationalFacet<Other>::degree == degree);
+    RationalFacet<Other> result;
+    for (std::size_t k = 0; k <= degree; ++k) result.numerator_[k] = converted(numerator_[k]);
+    for (std::size_t k = 0; k < degree; ++k) result.denominator_[k] = converted(denominator_[k]);
+    result.error_ = error_;
+    return result;
+  }
+
   /// One component of the values, counted from 0, for several directions at once.
   template <std::size_t directions>
   VCAVITY_INLINE RationalFacet<Pack<Real, directions>> over_directions(std::size_t i) const {
     using Lanes = Pack<Real, directions>;
-    RationalFacet<Lanes> result;
-    for (std::size_t k = 0; k <= degree; ++k) result.numerator_[k] = Lanes(component(numerator_[k], i));
-    for (std::size_t k = 0; k < degree; ++k) result.denominator_[k] = Lanes(component(denominator_[k], i));
-    result.error_ = error_;
-    return result;
+    return in<Lanes>([i](const Value& coefficient) { return Lanes(component(coefficient, i)); });
   }
 
  private:
@@ -112,7 +120,7 @@ class RationalFacet {
   using Denominator = std::array<Number, degree>;
 
   // Its fourth power is finite in float, and so is the inverse of that.
-  static constexpr Real largest_denominator = Real(1e9);
+  static constexpr double largest_denominator = 1e9;
 
   struct Fit {
     Numerator<Real> numerator{};

@@ -4,10 +4,10 @@
 /// The BSDF of a rough surface for renderers that follow many paths in lockstep: the sums of rough_bsdf.hpp without a
 /// branch on a direction.
 ///
-/// Masks decide what counts, and the only loops are sums over whole numbers: over the ways through the grooves, and for
-/// each over its bounces. How a sum is carried out is the renderer's business: a compiler of kernels has loops of its
+/// Masks decide what counts, and the only loops are sums over whole numbers: over the ways that a pair of directions has,
+/// so that all pairs are done when the one with the most ways is, and for each way over its bounces. How a sum is carried out is the renderer's business: a compiler of kernels has loops of its
 /// own, of which it knows the derivative term by term. To be such a sum, the product T of the reflectances of a way is
-/// the exponential of the sum of their logarithms; what is reflected less than the smallest number counts as that.
+/// the exponential of the sum of their logarithms, or of those of the products of four; what is reflected less than the smallest number counts as that.
 ///
 /// The value is a smooth function of the roughness and the index at every pair of directions, with all
 /// bounces. So directions may be drawn without derivatives, and the derivative of a picture is that of `value` divided by
@@ -100,16 +100,16 @@ class LockstepRoughBsdf {
   BsdfEvaluation<Real, Value> evaluate_with_pdf(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
     const ConnectingGrooves<Real> grooves(wo, wi);
     const Real first = first_density(grooves);
-    const Given given{surface_, grooves.all_ways(), first};
+    const Given given = given_of(grooves, first);
     const auto terms = [](const Real& n, const Given& of, const std::tuple<Real, Value>& so_far) {
-      const auto& [surface, all, first_white] = of;
-      const GrooveWays<Real> ways = way(all, n);
+      const auto& [surface, all, counts, first_white] = of;
+      const GrooveWays<Real> ways = all.way(counts, n);
       const Real white = counting_density(surface, all, ways, Real(first_white + std::get<0>(so_far)));
       return std::tuple<Real, Value>(Summation::fixed(white),
                                      scaled(white, throughput(surface, all.cos_eta, ways, white)));
     };
     const auto [white, light] =
-        Summation::template over<Real, Value>(Real(first_way), end_of(given), given, terms);
+        Summation::template over<Real, Value>(Real(0), std::get<2>(given).all, given, terms);
     const Value value = scaled(first, surface_.facet()(grooves.cosine_of_first())) + light;
     const auto is_above = is_above_horizon(wo, wi);
     return {select(is_above, value, Value(0)), select(is_above, Real(first + white), Real(0))};
@@ -120,13 +120,13 @@ class LockstepRoughBsdf {
   Real pdf(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
     const ConnectingGrooves<Real> grooves(wo, wi);
     const Real first = first_density(grooves);
-    const Given given{surface_, grooves.all_ways(), first};
+    const Given given = given_of(grooves, first);
     const auto terms = [](const Real& n, const Given& of, const std::tuple<Real>& so_far) {
-      const auto& [surface, all, first_white] = of;
+      const auto& [surface, all, counts, first_white] = of;
       return std::tuple<Real>(Summation::fixed(
-          counting_density(surface, all, way(all, n), Real(first_white + std::get<0>(so_far)))));
+          counting_density(surface, all, all.way(counts, n), Real(first_white + std::get<0>(so_far)))));
     };
-    const auto [white] = Summation::template over<Real>(Real(first_way), end_of(given), given, terms);
+    const auto [white] = Summation::template over<Real>(Real(0), std::get<2>(given).all, given, terms);
     return select(is_above_horizon(wo, wi), Real(first + white), Real(0));
   }
 
@@ -164,11 +164,17 @@ class LockstepRoughBsdf {
   int max_bounces() const { return max_bounces_; }
 
  private:
-  /// What the ways of two and more bounces depend on; and the density of the one of a single bounce.
-  using Given = std::tuple<Surface, AllWays<Real>, Real>;
+  /// What the ways of two and more bounces depend on, and how many there are; and the density of the one of a single
+  /// bounce.
+  using Given = std::tuple<Surface, AllWays<Real>, WayCounts<Real>, Real>;
 
-  // Ways are numbered by their bounces and the panel met first: 2j and 2j + 1.
-  static constexpr int first_way = 4;
+  Given given_of(const ConnectingGrooves<Real>& grooves, const Real& first) const {
+    const AllWays<Real> all = grooves.all_ways();
+    return {surface_, all, all.counts(Real(max_bounces_)), first};
+  }
+
+  /// How many bounces follow one another without a loop, for one division and one logarithm.
+  static constexpr int block_size = 4;
 
   static auto is_above_horizon(const Vec3<Real>& wo, const Vec3<Real>& wi) {
     return at_most(wo.z, wi.z) >= Real(0);
@@ -177,20 +183,6 @@ class LockstepRoughBsdf {
   Real first_density(const ConnectingGrooves<Real>& grooves) const {
     const ConnectingGroove<Real> first = grooves.first();
     return grooves.density(first, surface_.slopes().density(grooves.normal(first)));
-  }
-
-  /// The number behind the last way that exists.
-  Real end_of(const Given& given) const {
-    using std::floor;
-    const AllWays<Real>& all = std::get<1>(given);
-    const Real most = at_most(Real(floor(all.most_bounces())), Real(max_bounces_));
-    return select(all.tilt > Real(0), Real(Real(2) * most + Real(2)), Real(0));
-  }
-
-  static GrooveWays<Real> way(const AllWays<Real>& all, const Real& n) {
-    using std::floor;
-    const Real bounces = floor(Real(0.5) * n);
-    return all.ways(bounces, Real(n - Real(2) * bounces) > Real(0));
   }
 
   /// The density of a way; 0 where it is so small that the sum does not change.
@@ -206,17 +198,29 @@ class LockstepRoughBsdf {
   static Value throughput(const Surface& surface, const Real& cos_eta, const GrooveWays<Real>& ways,
                           const Real& white) {
     using std::exp;
+    using std::floor;
     using std::log;
-    using Bounces = std::tuple<Surface, Real, Real, Real>;
-    const auto terms = [](const Real& i, const Bounces& bounces, const std::tuple<Value>&) {
-      const auto& [of, eta, elevation, aperture] = bounces;
-      const Real angle = elevation - aperture * (i + Real(0.5));
-      const Real cosine = at_least(Real(eta * detail::acute_cosine(angle)), Real(0));
-      return std::tuple<Value>(log(at_least(of.facet()(cosine), smallest_divisor<scalar_t<Value>>())));
+    using Bounces = std::tuple<Surface, Real, Real, Real, Real>;
+    const auto terms = [](const Real& block, const Bounces& bounces, const std::tuple<Value>&) {
+      const auto& [of, eta, elevation, aperture, end] = bounces;
+      const auto facet = of.facet();
+      Fraction<Value> product{Value(1), Value(1)};
+      for (int i = 0; i < block_size; ++i) {
+        const Real number = Real(block_size) * block + Real(i);
+        const auto exists = number < end;
+        const Real angle = select(exists, Real(elevation - aperture * (number + Real(0.5))), Real(0));
+        const Real cosine = at_least(Real(eta * detail::acute_cosine(angle)), Real(0));
+        const auto [numerator, denominator] = fraction_of(facet, Value(cosine));
+        product.numerator = product.numerator * select(exists, numerator, denominator);
+        product.denominator = product.denominator * denominator;
+      }
+      const Value reflected = product.numerator / product.denominator;
+      return std::tuple<Value>(log(at_least(reflected, smallest_divisor<scalar_t<Value>>())));
     };
-    const Bounces bounces{surface, cos_eta, ways.elevation, Real(Real(2) * ways.half_aperture)};
     const Real end = select(white > Real(0), ways.bounces, Real(0));
-    const auto [logarithm] = Summation::template over<Value>(Real(0), end, bounces, terms);
+    const Bounces bounces{surface, cos_eta, ways.elevation, Real(Real(2) * ways.half_aperture), end};
+    const Real blocks = floor(Real((Real(1) / Real(block_size)) * (end + Real(block_size - 1))));
+    const auto [logarithm] = Summation::template over<Value>(Real(0), blocks, bounces, terms);
     return exp(logarithm);
   }
 

@@ -132,6 +132,15 @@ class WaySeries {
   Value slowest_;            // jα is above j times this for all numbers j of bounces that there are
 };
 
+/// How many ways of two and more bounces there are, counted through one series after the other.
+template <class Value>
+struct WayCounts {
+  Value even_from_one;  ///< with panel one met first and an even number of bounces
+  Value odd_from_one;   ///< these, and those with an odd number
+  Value even_from_two;  ///< these, and those with panel two met first and an even number
+  Value all;            ///< these, and those with an odd number
+};
+
 /// The ways of all numbers of bounces above 1 and of both first panels that lead light from one direction into another,
 /// one at a time.
 /// @tparam Value a number, or an array with a pair of directions in each entry
@@ -147,23 +156,35 @@ struct AllWays {
   Value height;        ///< vertical component of the direction towards the light
   Value tilt;          ///< |h|; where it is 0, there are none of these ways
 
-  /// Ways of fewer bounces than this exist.
-  Value most_bounces() const {
-    const auto most = [](const Elevation& e, const Elevation& o) {
-      return WaySeries<Value>(e, o).most_bounces();
+  /// How many ways there may be; where there is none in the end, their beam is 0.
+  /// @param max_bounces the most that count
+  WayCounts<Value> counts(const Value& max_bounces) const {
+    using std::floor;
+    // Even numbers from 2 on, or odd ones from 3 on.
+    const auto of_series = [&max_bounces](const Elevation& e, const Elevation& o, int least) {
+      const Value most = at_most(WaySeries<Value>(e, o).most_bounces(), max_bounces);
+      return at_least(Value(floor(Value(Real(0.5) * (most - Value(Real(least)))))) + Value(Real(1)), Real(0));
     };
-    return at_least(at_least(most(from, to), most(from, to.turned())),
-                    at_least(most(from.turned(), to), most(from.turned(), to.turned())));
+    WayCounts<Value> result;
+    result.even_from_one = of_series(from, to.turned(), 2);
+    result.odd_from_one = result.even_from_one + of_series(from, to, 3);
+    result.even_from_two = result.odd_from_one + of_series(from.turned(), to, 2);
+    const Value all = result.even_from_two + of_series(from.turned(), to.turned(), 3);
+    result.all = select(tilt > Value(Real(0)), all, Value(Real(0)));
+    return result;
   }
 
-  /// The ways of given numbers of bounces.
-  /// @param bounces whole numbers above 1
-  /// @param meets_two where it is set, panel two is met first
-  template <class Mask>
-  GrooveWays<Value> ways(const Value& bounces, const Mask& meets_two) const {
-    using std::floor;
-    const Value half = Real(0.5) * bounces;
-    const auto is_odd = half > Value(floor(half));
+  /// One of the ways.
+  /// @param counts how many there are
+  /// @param n which one, from 0 on
+  GrooveWays<Value> way(const WayCounts<Value>& counts, const Value& n) const {
+    const auto meets_two = n >= counts.odd_from_one;
+    const Value of_panel = n - select(meets_two, counts.odd_from_one, Value(Real(0)));
+    const Value even =
+        select(meets_two, Value(counts.even_from_two - counts.odd_from_one), counts.even_from_one);
+    const auto is_odd = of_panel >= even;
+    const Value bounces = Real(2) * (of_panel - select(is_odd, even, Value(Real(0)))) +
+                          select(is_odd, Value(Real(3)), Value(Real(2)));
     const Elevation e = chosen(meets_two, from.turned(), from), o = chosen(meets_two, to.turned(), to);
     return WaySeries<Value>(e, chosen(is_odd, o, o.turned())).ways(bounces);
   }
