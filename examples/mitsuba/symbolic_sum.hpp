@@ -39,7 +39,7 @@ struct SymbolicSummation {
     const bool is_done =
         ad_loop(Loop::Mask::Backend, choose, choose, is_sum, "vgroove: a sum", loop.get(), &Loop::read,
                 &Loop::write, &Loop::condition, &Loop::body, &Loop::release, true);
-    const std::tuple<Sums...> sums = std::get<3>(loop->state);
+    std::tuple<Sums...> sums = std::get<3>(loop->state);
     loop->forget();
     if (!is_done) (void)loop.release();  // derivatives need it
     return sums;
@@ -110,7 +110,7 @@ struct drjit::detail::traversable<vgroove::Lanes<Array>> {
   }
 };
 
-/// The same for ways through grooves, and for how many there are.
+/// The same for how many ways through grooves there are.
 template <class Array>
 struct drjit::detail::traversable<vcavity::WayCounts<vgroove::Lanes<Array>>> {
   static constexpr bool value = true;
@@ -120,6 +120,7 @@ struct drjit::detail::traversable<vcavity::WayCounts<vgroove::Lanes<Array>>> {
   }
 };
 
+/// The same for these ways.
 template <class Array>
 struct drjit::detail::traversable<vcavity::AllWays<vgroove::Lanes<Array>>> {
   static constexpr bool value = true;

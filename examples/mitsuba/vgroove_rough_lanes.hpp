@@ -66,7 +66,7 @@ struct IndexPoints {
 };
 
 /// An index that is the same at all points, and with respect to which there are no derivatives: its reflectance as a
-/// rational function, which takes a quarter of the time.
+/// rational function, without roots.
 /// @tparam Values colours of lanes.hpp
 template <class Values>
 struct FittedIndex {
@@ -112,8 +112,7 @@ class VGrooveRoughLanes final : public LanesBsdf<Float, Spectrum> {
 
   std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext& context, const SurfaceInteraction3f& si,
                                            Float u_ray, const Point2f& u_groove, Mask active) const override {
-    BSDFSample3f result = dr::zeros<BSDFSample3f>();
-    if (!context.is_enabled(kind_)) return {result, dr::zeros<Spectrum>()};
+    if (!context.is_enabled(kind_)) return {dr::zeros<BSDFSample3f>(), dr::zeros<Spectrum>()};
     return with_bsdf(si, active,
                      [&](const auto& bsdf) { return drawn_from(bsdf, si, u_ray, u_groove, active); });
   }

@@ -129,12 +129,40 @@ struct MaskedSummation {
   }
 };
 
+template <class Facet>
 struct RoughSurfaceInLanes {
   Real roughness;
+  Facet reflectance;
 
   GgxSlopes<Real> slopes() const { return GgxSlopes<Real>(roughness); }
-  Conductor<Values> facet() const { return facet_in_lanes(); }
+  const Facet& facet() const { return reflectance; }
 };
+
+/// @param facet that of all directions in lanes
+/// @param expected_facet that of each
+template <class Facet, class ExpectedFacet>
+void check_rough(const Facet& facet, const ExpectedFacet& expected_facet, int max_bounces) {
+  using Surface = RoughSurfaceInLanes<Facet>;
+  Dice dice(4);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Surface surface{dice.between(0.2f, 1), facet};
+    const Vec3<Real> wo = dice.directions(), wi = dice.directions();
+    const LockstepRoughBsdf<Surface, MaskedSummation> bsdf(surface, max_bounces);
+    const auto both = bsdf.evaluate_with_pdf(wo, wi);
+    const Vec3<Real> drawn =
+        bsdf.draw(wo, dice.between(0, 1), {dice.between(0, 1), dice.between(0, 1)}).ray.leaving();
+    for (std::size_t i = 0; i < count; ++i) {
+      const RoughGrooveBsdf expected(GgxSlopes<float>(lane(surface.roughness, i)), expected_facet,
+                                     max_bounces);
+      const auto value = expected.evaluate_with_pdf(lane(wo, i), lane(wi, i));
+      CHECK(lane(both.pdf, i) == Approx(value.pdf).epsilon(1e-4));
+      for (std::size_t c = 0; c < colours; ++c)
+        CHECK(lane(both.value, i, c) == Approx(value.value[c]).epsilon(1e-4).margin(1e-6));
+      const Vec3<float> d = lane(drawn, i);
+      CHECK(std::hypot(d.x, d.y, d.z) == Approx(1).epsilon(1e-5));
+    }
+  }
+}
 
 }  // namespace
 
@@ -191,22 +219,16 @@ TEST_CASE("Arrays of a vectorised renderer have the densities of each of their l
 }
 
 TEST_CASE("Arrays of a vectorised renderer have the values of each of their rough surfaces") {
-  Dice dice(4);
-  for (int trial = 0; trial < 100; ++trial) {
-    const RoughSurfaceInLanes surface{dice.between(0.2f, 1)};
-    const Vec3<Real> wo = dice.directions(), wi = dice.directions();
-    const LockstepRoughBsdf<RoughSurfaceInLanes, MaskedSummation> bsdf(surface, 8);
-    const auto both = bsdf.evaluate_with_pdf(wo, wi);
-    const Vec3<Real> drawn =
-        bsdf.draw(wo, dice.between(0, 1), {dice.between(0, 1), dice.between(0, 1)}).ray.leaving();
-    for (std::size_t i = 0; i < count; ++i) {
-      const RoughGrooveBsdf expected(GgxSlopes<float>(lane(surface.roughness, i)), facet_of_colours(), 8);
-      const auto value = expected.evaluate_with_pdf(lane(wo, i), lane(wi, i));
-      CHECK(lane(both.pdf, i) == Approx(value.pdf).epsilon(1e-4));
-      for (std::size_t c = 0; c < colours; ++c)
-        CHECK(lane(both.value, i, c) == Approx(value.value[c]).epsilon(1e-4).margin(1e-6));
-      const Vec3<float> d = lane(drawn, i);
-      CHECK(std::hypot(d.x, d.y, d.z) == Approx(1).epsilon(1e-5));
-    }
-  }
+  for (const int max_bounces : {8, 32}) check_rough(facet_in_lanes(), facet_of_colours(), max_bounces);
+}
+
+TEST_CASE("Arrays of a vectorised renderer have the values of rough surfaces whose facets are fits") {
+  const RationalFacet<Pack<float, colours>> fitted(facet_of_colours());
+  const auto in_lanes = fitted.in<Values>([](const Pack<float, colours>& coefficient) {
+    drjit::Array<Float, colours> values;
+    for (std::size_t c = 0; c < colours; ++c) values[c] = Float(coefficient[c]);
+    return Values(values);
+  });
+  CHECK(in_lanes.error() == fitted.error());
+  for (const int max_bounces : {8, 32}) check_rough(in_lanes, fitted, max_bounces);
 }

@@ -14,8 +14,9 @@
 /// happens when it has more of them than there is to fit, one degree less is better; of four pairs of degrees the one with
 /// the least error is taken.
 ///
-/// Range: any interface; what the fit is worth is measured when it is made, `error()`: 2e-7 in float and
-/// 1e-13 in double for metals at visible wavelengths, that is rounding, 1e-6 and 1e-12 for glasses.
+/// Range: any interface; what the fit is worth is measured when it is made, `error()`: for most metals at visible
+/// wavelengths 2e-7 in float and 1e-13 in double, that is rounding, in float 6e-7 for copper in the green; for glasses
+/// 1e-6 and 1e-12.
 /// When not to use it: where `error()` is too large, as near total reflection or for indices close to 1; for polarisation,
 /// since it knows no fields; for indices that change from call to call, since the fit asks for hundreds of reflectances.
 
@@ -43,7 +44,7 @@ class RationalFacet {
  public:
   using Real = scalar_t<Value>;
 
-  /// Of both polynomials; enough for metals that what is left is rounding.
+  /// Of both polynomials; enough for most metals that what is left is rounding.
   static constexpr std::size_t degree = detail::has_short_series<Value> ? 4 : 7;
 
   /// @param facet an interface, whose values have as many components; best in double
